@@ -90,6 +90,7 @@ enum class PassReason : std::uint8_t {
   kWithinTolerance,  // two triangles already keep the tolerance
   kInvisible,        // no part of the quad can be inside the clip volume, or the viewport is empty
   kModeOff,
+  kOwnQ,            // a set's q varies over the corners and the mode corrects none of it
 };
 
 // Grid lines along one parameter, increasing, from lines[0] to lines[count - 1].

@@ -1,0 +1,57 @@
+// How far from its exact place a mesh triangle draws a texel: derived, with proofs, in docs/design.md "Error of a
+// triangle".
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "screen.h"
+#include "truequad/kernel.h"
+
+namespace truequad::kernel {
+
+// What two texture coordinates of one set add to the error.
+struct TextureMap {
+  // Jacobian determinant of the map (u, v) -> texture: constant + of_u u + of_v v.
+  double constant, of_u, of_v;
+  // Clip-space displacement per unit of the interpolation error and of 1 / determinant.
+  double x, y, w;
+
+  double jacobian(double u, double v) const { return constant + of_u * u + of_v * v; }
+};
+
+// Each set gives one map, three if all of s, t, r vary.
+inline constexpr std::size_t kMaxMaps = 3 * kMaxTextureSets;
+
+struct ErrorModel {
+  ScreenQuad screen;
+  std::array<TextureMap, kMaxMaps> map;
+  std::size_t map_count = 0;
+  // The determinant of some map changes sign or vanishes in the unit square: there it has no inverse.
+  bool folded = false;
+
+  std::span<const TextureMap> maps() const { return {map.data(), map_count}; }
+};
+
+// Adds the maps of the sets that vary and are not affine. Requires model.screen. Returns false if a set's q varies over
+// the corners: then (s, t, r) alone do not tell what is drawn.
+bool add_texture_maps(const Corners& position, std::span<const Corners> textures, ErrorModel& model);
+
+// A corner of a mesh triangle: parameters and the clip-space point drawn there.
+struct MeshPoint {
+  double u, v;
+  ScreenPoint p;
+};
+MeshPoint mesh_point(const ErrorModel& model, double u, double v);
+
+// Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact place; 0 if
+// nothing of it is inside. Infinite if no bound is known. If the plain bound exceeds `limit_px`, up to `depth` halvings
+// of the triangle look for a tighter one that does not; the result is then below or at the limit, or the plain bound.
+double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c,
+                      double limit_px, int depth);
+
+// The same for the centre fan over a cell; corners in the order (u0,v0) (u1,v0) (u1,v1) (u0,v1).
+double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, double limit_px);
+
+}  // namespace truequad::kernel

@@ -1,0 +1,89 @@
+// plan(): what to draw for one quad, from its shape, its view and the mode; docs/design.md "Choosing a mesh".
+#include <algorithm>
+#include <cmath>
+
+#include "planners.h"
+
+namespace truequad {
+namespace {
+
+using kernel::Budget;
+using kernel::ErrorModel;
+
+// Mode::kAuto takes the projective map up to this ratio of its factors: beyond it the texture is compressed more
+// strongly along the quad than the eye takes for perspective.
+constexpr double kAutoSpread = 4;
+
+void pass(Plan& out, PassReason reason) {
+  out.action = Action::kPass;
+  out.reason = reason;
+  out.triangles = 2;
+}
+
+bool finite(const View& view) {
+  double sum = std::fabs(view.viewport.width) + std::fabs(view.viewport.height);
+  for (double element : view.clip_from_object) sum += std::fabs(element);
+  return std::isfinite(sum);
+}
+
+}  // namespace
+
+Budget kernel::make_budget(const Limits& limits, const View& view) {
+  const Limits defaults;
+  const auto positive = [](double value, double otherwise, double low, double high) {
+    return value > 0 ? std::clamp(value, low, high) : otherwise;
+  };
+  Budget budget;
+  budget.tolerance_px = positive(limits.tolerance_px, defaults.tolerance_px, 1e-3, 1e6);
+  budget.snap_px = positive(view.snap_px, 0, 0, 1);
+  // A tolerance of the order of the rasteriser's own grid leaves half of it to the mesh; the bound says the rest.
+  budget.mesh_px = std::max(budget.tolerance_px - budget.snap_px, budget.tolerance_px / 2);
+  budget.max_triangles = std::clamp(limits.max_triangles, 4, kMaxTriangles);
+  budget.paper.object = positive(limits.paper.object, defaults.paper.object, 0, 2);
+  budget.paper.texture = positive(limits.paper.texture, defaults.paper.texture, 0, 2);
+  budget.paper.area_px = positive(limits.paper.area_px, defaults.paper.area_px, 1, 1e12);
+  return budget;
+}
+
+void plan(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
+          Mode mode, Plan& out) {
+  out.action = Action::kPass;
+  out.reason = PassReason::kNone;
+  out.bound_px = 0;
+  out.capped = false;
+  out.triangles = 2;
+  out.u.count = out.v.count = 0;
+  out.collapsed_edge = {};
+  out.leaf_count = 0;
+
+  textures = textures.first(std::min(textures.size(), kMaxTextureSets));
+  if (mode == Mode::kOff) return pass(out, PassReason::kModeOff);
+  switch (classify(position, textures)) {
+    case Shape::kAffine: return pass(out, PassReason::kAffine);
+    case Shape::kConstant: return pass(out, PassReason::kConstant);
+    case Shape::kDegenerate: return pass(out, PassReason::kDegenerate);
+    case Shape::kNotFinite: return pass(out, PassReason::kNotFinite);
+    case Shape::kWarped: break;
+  }
+  if (!finite(view)) return pass(out, PassReason::kNotFinite);
+  if (!(view.viewport.width > 0) || !(view.viewport.height > 0)) return pass(out, PassReason::kInvisible);
+
+  ErrorModel model;
+  if (!kernel::make_screen_quad(position, view, model.screen)) return pass(out, PassReason::kNotFinite);
+  if (model.screen.invisible()) return pass(out, PassReason::kInvisible);
+  const Budget budget = kernel::make_budget(limits, view);
+
+  if (mode == Mode::kProjective || mode == Mode::kAuto) {
+    double spread;
+    if (kernel::plan_projective(position, textures, budget, out, spread) &&
+        (mode == Mode::kProjective || spread <= kAutoSpread)) {
+      return;
+    }
+    out.action = Action::kPass;
+  }
+  if (!kernel::add_texture_maps(position, textures, model)) return pass(out, PassReason::kOwnQ);
+  if (mode == Mode::kPaper) return kernel::plan_paper(position, textures, model, budget, out);
+  kernel::plan_bilinear(model, budget, out);
+}
+
+}  // namespace truequad

@@ -1,0 +1,32 @@
+// The planners behind plan(): each fills action, reason, bound, cap, triangle count and what its action needs.
+#pragma once
+
+#include <span>
+
+#include "error_model.h"
+#include "truequad/kernel.h"
+
+namespace truequad::kernel {
+
+// Limits in their valid range, with the part of the tolerance that is left to the mesh once the rasteriser has snapped
+// its vertices.
+struct Budget {
+  double tolerance_px, snap_px, mesh_px;
+  int max_triangles;
+  PaperThresholds paper;
+};
+Budget make_budget(const Limits& limits, const View& view);
+
+// Passes if two triangles are enough, else meshes. model: screen and maps of the sets that are neither constant nor
+// affine.
+void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan);
+
+// Oliveira 2001 as published.
+void plan_paper(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
+                const Budget& budget, Plan& plan);
+
+// Fills plan.lambda; false if some set has no valid projective map. `spread`: the largest ratio of two factors of a set.
+bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget, Plan& plan,
+                     double& spread);
+
+}  // namespace truequad::kernel

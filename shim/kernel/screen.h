@@ -1,0 +1,51 @@
+// A quad in clip space as the screen sees it; clip volume of the OpenGL 2.1 specification, section 2.12.
+#pragma once
+
+#include <array>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "truequad/kernel.h"
+
+namespace truequad::kernel {
+
+// A clip-space point with x and y in pixels from the viewport's centre times w: x / w is a distance in pixels.
+using ScreenPoint = glm::dvec4;
+
+struct ScreenQuad {
+  std::array<ScreenPoint, 4> corner;
+  // P(u,v) = corner[0] + along_u u + along_v v + twist uv.
+  ScreenPoint along_u, along_v, twist;
+  double half_width, half_height;  // of the viewport, px
+
+  ScreenPoint at(double u, double v) const {
+    return corner[0] + u * along_u + v * along_v + (u * v) * twist;
+  }
+  // One bit for each plane of the clip volume that the point is outside of.
+  unsigned outcode(const ScreenPoint& p) const {
+    return unsigned(p.x < -half_width * p.w) | unsigned(p.x > half_width * p.w) << 1 |
+           unsigned(p.y < -half_height * p.w) << 2 | unsigned(p.y > half_height * p.w) << 3 |
+           unsigned(p.z < -p.w) << 4 | unsigned(p.z > p.w) << 5;
+  }
+  // True if no part of the quad, nor of any mesh of it, can be inside the clip volume.
+  bool invisible() const;
+  // True if the ends of the edge from corner i to the next are so near on the screen that nothing along it can be
+  // told apart.
+  bool collapsed_edge(int i) const;
+};
+
+// The view of a quad. Returns false if a coordinate of it is not finite.
+bool make_screen_quad(const Corners& position, const View& view, ScreenQuad& quad);
+
+// The part of a triangle inside the clip volume: a convex polygon, perhaps empty.
+struct VisiblePart {
+  std::array<ScreenPoint, 9> point;  // three corners and one more for each of six planes
+  int count = 0;
+  std::span<const ScreenPoint> points() const { return {point.data(), std::size_t(count)}; }
+};
+
+// `planes`: the union of the three outcodes.
+void clip_triangle(const ScreenQuad& quad, const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
+                   unsigned planes, VisiblePart& part);
+
+}  // namespace truequad::kernel
