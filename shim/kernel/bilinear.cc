@@ -15,6 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kDepth = 6;
 // Largest part of the quad that lies between one side and the block.
 constexpr double kMaxInset = 0.3;
+// Smallest: an inserted vertex must stay off the edge when its position is rounded to single precision.
+constexpr double kMinInset = 0x1p-20;
 // Smallest mesh with a block that touches no side.
 constexpr int kSmallestBlock = 12;
 // Triangles spent on a quad whose texture map folds: no number of them gives a bound there.
@@ -185,10 +187,11 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
     for (int side = 0; side < 4; ++side) {
       const bool along_u = side % 2 == 0;
       inset[side] = flush[side] ? 0
-                                : shrink[side] * inset_for(along_u ? densities.u : densities.v,
-                                                           along_u ? densities.v : densities.u,
-                                                           side == 0 || side == 3, along_u ? middle_u : middle_v,
-                                                           aim_px);
+                                : std::max(shrink[side] * inset_for(along_u ? densities.u : densities.v,
+                                                                    along_u ? densities.v : densities.u,
+                                                                    side == 0 || side == 3,
+                                                                    along_u ? middle_u : middle_v, aim_px),
+                                           kMinInset);
     }
     const int triangles = choose_lines(densities, inset, flush, lines_px, cap, plan);
     if (triangles > cap) {

@@ -13,7 +13,7 @@ namespace {
 // single precision, which programs use to build their quads.
 constexpr double kPlanar = 64 * 0x1p-24;
 // Factors that differ by more leave nothing of single-precision texture coordinates.
-constexpr double kMaxSpread = 1e6;
+constexpr double kMaxSpread = 1e4;
 
 // D = a A + b B + c C.
 struct Weights {
