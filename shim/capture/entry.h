@@ -1,0 +1,27 @@
+// What every exported GL function looks at first: one thread-local record.
+#pragma once
+
+#include "driver/driver.h"
+
+namespace truequad {
+
+struct Capture;
+struct ContextRecord;
+
+struct Entry {
+  Capture* active;         // non-null only between a captured glBegin and its glEnd
+  const Driver* driver;    // real functions of the current context; never null
+  ContextRecord* context;  // null: none is current that we know of
+  Capture* own;            // this thread's; allocated at the first captured glBegin
+  bool inside;             // between glBegin and glEnd, as far as the program's calls tell
+  bool list_open;          // between glNewList and glEndList
+};
+
+// The real functions while no context is current. Defined, and never unusable, by whoever links the capture: the doors,
+// or a test's fake driver.
+extern Driver default_driver;
+
+// Initial-exec: the vertex path pays one load for it, and the library is in the process from its start.
+extern thread_local constinit Entry entry [[gnu::tls_model("initial-exec")]];
+
+}  // namespace truequad

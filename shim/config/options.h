@@ -1,0 +1,43 @@
+// The settings, one table of them: name, environment variable, default, parser and help (options.cc).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "config/log.h"
+#include "truequad/kernel.h"
+
+namespace truequad {
+
+struct Options {
+  static constexpr int kPathSize = 4096;
+
+  LogLevel log_level = LogLevel::kWarning;
+  Mode mode = Mode::kBilinear;
+  double tolerance_px = 0.25;
+  bool overlay = false;
+  // Where the statistics go: absolute path, "-" for stderr, empty for nowhere.
+  char stats_path[kPathSize] = "";
+};
+
+// A row of the table.
+struct OptionRow {
+  std::string_view name;         // of the command line option, without dashes
+  const char* variable;          // of the environment
+  std::string_view default_text;
+  std::string_view accepts;      // what may be given, for help and complaints
+  std::string_view help;
+  bool (*parse)(std::string_view text, Options& options);  // false: not acceptable, options unchanged
+};
+std::span<const OptionRow> option_rows();
+
+// The settings of this process. The environment is read once, at the first call; a bad setting costs one line on
+// stderr and leaves the default. May be called from any thread.
+const Options& options();
+
+// What options() does, without keeping the result: for tests.
+Options read_options(const char* (*lookup)(const char* variable));
+
+std::string_view mode_name(Mode mode);
+
+}  // namespace truequad
