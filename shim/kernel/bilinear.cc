@@ -22,6 +22,8 @@ constexpr int kSmallestBlock = 12;
 // Triangles spent on a quad whose texture map folds: no number of them gives a bound there.
 constexpr int kFoldedTriangles = 512;
 constexpr int kMaxRounds = 12;
+// Lines and insets are made for a little less than what verification asks, or its rounding slack would refuse them.
+constexpr double kMargin = 1 - 1e-6;
 
 double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px) {
   double bound = 0;
@@ -178,8 +180,9 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
 
   const std::array<bool, 4>& flush = plan.collapsed_edge;
   double aim_px = budget.mesh_px;        // error that lines and insets are made for
-  double lines_px = aim_px;              // the same for the lines alone, corrected by what verification found
-  Insets shrink{1, 1, 1, 1};             // the same for insets
+  double lines_px = kMargin * aim_px;    // the same for the lines alone, corrected by what verification found
+  Insets shrink;                         // the same for insets, as a factor
+  shrink.fill(kMargin);
   const double middle_u = median(densities.u), middle_v = median(densities.v);
   bool found = false, at_cap = false;
   for (int round = 0; round < kMaxRounds; ++round) {

@@ -16,39 +16,34 @@ constexpr double kInputRounding = 4 * 0x1p-24;
 // Rounding of the elimination itself, in double precision.
 constexpr double kOwnRounding = 4 * 0x1p-53;
 
-struct Entry {
-  double value = 0, error = 0;
-};
+constexpr int kColumns = 8;  // x y z w of the position, s t r q of one texture set
 
-Entry entry(double value) { return {value, kInputRounding * std::fabs(value)}; }
-
-constexpr int kColumns = 8;
+// Values and bounds on their errors, apart from each other so that loops over columns vectorise.
 struct Rows {
-  Entry at[4][kColumns];
+  double value[4][kColumns], error[4][kColumns];
+  bool vanishes(int row, int column) const { return std::fabs(value[row][column]) <= error[row][column]; }
 };
 
-// row -= factor * pivot_row, with first-order propagation of the errors.
-void eliminate(Rows& rows, int row, int pivot_row, int pivot_column, const bool (&done)[4]) {
-  const Entry pivot = rows.at[pivot_row][pivot_column];
-  const Entry head = rows.at[row][pivot_column];
-  const double factor = head.value / pivot.value;
-  const double factor_error = (head.error + std::fabs(factor) * pivot.error) / std::fabs(pivot.value);
+// Takes the pivot's multiple off a row, with first-order propagation of the errors. Columns of earlier pivots hold 0 in
+// both rows and stay 0.
+void eliminate(Rows& rows, int row, int pivot_row, int pivot_column) {
+  double* const x = rows.value[row];
+  double* const x_error = rows.error[row];
+  const double* const y = rows.value[pivot_row];
+  const double* const y_error = rows.error[pivot_row];
+  const double factor = x[pivot_column] / y[pivot_column], size = std::fabs(factor);
+  const double factor_error = (x_error[pivot_column] + size * y_error[pivot_column]) / std::fabs(y[pivot_column]);
   for (int column = 0; column < kColumns; ++column) {
-    if (column < 4 && done[column]) continue;
-    Entry& x = rows.at[row][column];
-    const Entry& y = rows.at[pivot_row][column];
-    const double product = factor * y.value;
-    x.error += std::fabs(factor) * y.error + factor_error * std::fabs(y.value) +
-               kOwnRounding * (std::fabs(x.value) + std::fabs(product));
-    x.value -= product;
+    const double product = factor * y[column];
+    x_error[column] += size * y_error[column] + factor_error * std::fabs(y[column]) +
+                       kOwnRounding * (std::fabs(x[column]) + std::fabs(product));
+    x[column] -= product;
   }
-  rows.at[row][pivot_column] = {};
+  x[pivot_column] = x_error[pivot_column] = 0;
 }
 
-bool vanishes(const Entry& x) { return std::fabs(x.value) <= x.error; }
-
-// Eliminates three pivots. Returns the row that is left and the position column that is left, or {-1, -1} if fewer
-// than three independent corners exist.
+// Eliminates three pivots. Returns the row and the position column that are left, or {-1, -1} if fewer than three
+// independent corners exist.
 struct Left {
   int row, column;
 };
@@ -56,29 +51,29 @@ Left eliminate_three(Rows& rows) {
   bool row_done[4] = {}, column_done[4] = {};
   for (int step = 0; step < 3; ++step) {
     int pivot_row = -1, pivot_column = -1;
-    double best = 1;  // value over error: at most 1 is indistinguishable from 0
+    // Value and error of the best pivot so far; a value not above its error is indistinguishable from 0.
+    double best = 1, best_error = 1;
     for (int column : {3, 0, 1, 2}) {  // w first: it is exact in most programs, and leaves differences of points
       if (column_done[column]) continue;
       int largest = -1;
       for (int row = 0; row < 4; ++row) {
         if (row_done[row]) continue;
-        if (largest < 0 || std::fabs(rows.at[row][column].value) > std::fabs(rows.at[largest][column].value)) {
-          largest = row;
-        }
+        if (largest < 0 || std::fabs(rows.value[row][column]) > std::fabs(rows.value[largest][column])) largest = row;
       }
-      const Entry& x = rows.at[largest][column];
-      if (std::fabs(x.value) > best * x.error * (1 + 1e-9)) {
-        best = x.error > 0 ? std::fabs(x.value) / x.error : 0x1p1000;
+      const double value = std::fabs(rows.value[largest][column]), error = rows.error[largest][column];
+      // The slack lets w win among columns that are all as exact as their input.
+      if (value > error && value * best_error > best * error * (1 + 1e-9)) {
+        best = value;
+        best_error = error;
         pivot_row = largest;
         pivot_column = column;
       }
     }
     if (pivot_row < 0) return {-1, -1};
-    row_done[pivot_row] = true;
+    row_done[pivot_row] = column_done[pivot_column] = true;
     for (int row = 0; row < 4; ++row) {
-      if (!row_done[row]) eliminate(rows, row, pivot_row, pivot_column, column_done);
+      if (!row_done[row]) eliminate(rows, row, pivot_row, pivot_column);
     }
-    column_done[pivot_column] = true;
   }
   const auto first_open = [](const bool(&done)[4]) { return int(std::find(done, done + 4, false) - done); };
   return {first_open(row_done), first_open(column_done)};
@@ -98,12 +93,14 @@ bool constant(const Corners& x) {
   return true;
 }
 
-void put(Rows& rows, const Corners& x, int column) {
+void put(Rows& rows, const Corners& x, int first_column) {
   for (int row = 0; row < 4; ++row) {
-    rows.at[row][column] = entry(x[row].x);
-    rows.at[row][column + 1] = entry(x[row].y);
-    rows.at[row][column + 2] = entry(x[row].z);
-    rows.at[row][column + 3] = entry(x[row].w);
+    double* const value = rows.value[row] + first_column;
+    value[0] = x[row].x;
+    value[1] = x[row].y;
+    value[2] = x[row].z;
+    value[3] = x[row].w;
+    for (int i = 0; i < 4; ++i) rows.error[row][first_column + i] = kInputRounding * std::fabs(value[i]);
   }
 }
 
@@ -125,9 +122,9 @@ Shape classify(const Corners& position, std::span<const Corners> textures) {
     put(rows, texture, 4);
     const Left left = eliminate_three(rows);
     if (left.row < 0) return Shape::kDegenerate;
-    if (!vanishes(rows.at[left.row][left.column])) return Shape::kWarped;
+    if (!rows.vanishes(left.row, left.column)) return Shape::kWarped;
     for (int column = 4; column < kColumns; ++column) {
-      if (!vanishes(rows.at[left.row][column])) return Shape::kWarped;
+      if (!rows.vanishes(left.row, column)) return Shape::kWarped;
     }
   }
   return Shape::kAffine;

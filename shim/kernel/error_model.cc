@@ -172,7 +172,8 @@ bool add_texture_maps(const Corners& position, std::span<const Corners> textures
     for (int i = 1; i < 4; ++i) {
       if (texture[i].w != texture[0].w) return false;
     }
-    if (classify(position, {&texture, 1}) != Shape::kWarped) continue;
+    // A single set has been found warped by the caller.
+    if (textures.size() > 1 && classify(position, {&texture, 1}) != Shape::kWarped) continue;
     const Bilinear s = component(texture, &Vec4::x), t = component(texture, &Vec4::y), r = component(texture, &Vec4::z);
     if (!varies(r)) {
       add_map(model, s, t);

@@ -34,8 +34,8 @@ struct ErrorModel {
   std::span<const TextureMap> maps() const { return {map.data(), map_count}; }
 };
 
-// Adds the maps of the sets that vary and are not affine. Requires model.screen. Returns false if a set's q varies over
-// the corners: then (s, t, r) alone do not tell what is drawn.
+// Adds the maps of the sets that are warped. Requires model.screen, and that classify() says kWarped of all sets
+// together. Returns false if a set's q varies over the corners: then (s, t, r) alone do not tell what is drawn.
 bool add_texture_maps(const Corners& position, std::span<const Corners> textures, ErrorModel& model);
 
 // A corner of a mesh triangle: parameters and the clip-space point drawn there.

@@ -25,8 +25,8 @@ double local_error(const TextureMap& map, double jacobian, std::span<const Scree
   for (const ScreenPoint& p : points) {
     const double w = std::max(p.w, w_floor);
     const double ratio = map.w / w;
-    const double x = map.x - p.x * ratio, y = map.y - p.y * ratio;
-    largest = std::max(largest, (x * x + y * y) / (w * w));
+    const double x = (map.x - p.x * ratio) / w, y = (map.y - p.y * ratio) / w;
+    largest = std::max(largest, x * x + y * y);
   }
   const double error = std::sqrt(largest) / jacobian;
   return std::isfinite(error) ? error : 0;
