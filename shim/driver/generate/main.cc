@@ -36,24 +36,34 @@ void write_enums(const Registry& registry, std::ostream& out) {
   for (const Enum& value : registry.enums) out << "#define " << value.name << " " << value.value << "\n";
 }
 
-void write_commands(const Registry& registry, std::ostream& out) {
-  for (const Command& command : registry.commands) {
-    out << "TQ_COMMAND(" << command.name << ", " << command.result << ", " << declarations(command) << ", "
-        << arguments(command) << ")\n";
-  }
+void write_command(const Command& command, std::ostream& out) {
+  out << "TQ_COMMAND(" << command.name << ", " << command.result << ", " << declarations(command) << ", "
+      << arguments(command) << ")\n";
 }
 
-void write_attributes(const Registry& registry, std::ostream& attributes, std::ostream& others) {
+// The doors of these are written by hand.
+bool has_own_door(const std::string& name) {
+  static const std::set<std::string> names = {"Begin", "End", "NewList", "EndList"};
+  return names.contains(name);
+}
+
+void write_attribute(const std::string& name, const AttributeCall& call, std::ostream& out) {
+  out << "TQ_ATTRIBUTE(" << name << ", " << call.family << ", " << call.size << ", " << call.type << ", "
+      << call.normalized << ", " << call.vector << ", " << call.requires_ << ")\n";
+}
+
+// gl_commands.inc: every command. The others divide it: attribute_calls.inc and attribute_commands.inc (the same
+// commands, what they mean and how they are called), other_calls.inc (the rest, less those with doors of their own).
+void write_commands(const Registry& registry, std::ostream& all, std::ostream& attributes,
+                    std::ostream& attribute_commands, std::ostream& others) {
   for (const Command& command : registry.commands) {
-    const auto call = attribute_call(command.name);
-    if (!call) {
-      others << "TQ_COMMAND(" << command.name << ", " << command.result << ", " << declarations(command) << ", "
-             << arguments(command) << ")\n";
-      continue;
+    write_command(command, all);
+    if (const auto call = attribute_call(command.name)) {
+      write_attribute(command.name, *call, attributes);
+      write_command(command, attribute_commands);
+    } else if (!has_own_door(command.name)) {
+      write_command(command, others);
     }
-    attributes << "TQ_ATTRIBUTE(" << command.name << ", " << call->family << ", " << call->size << ", " << call->type
-               << ", " << call->normalized << ", " << call->vector << ", " << call->requires_ << ", "
-               << declarations(command) << ", " << arguments(command) << ")\n";
   }
 }
 
@@ -67,12 +77,11 @@ int run(const std::string& registry_path, const std::filesystem::path& directory
   std::filesystem::create_directories(directory);
   std::ofstream types(directory / "gl_types.h"), enums(directory / "gl_enums.h"),
       commands(directory / "gl_commands.inc"), attributes(directory / "attribute_calls.inc"),
-      others(directory / "other_calls.inc");
+      attribute_commands(directory / "attribute_commands.inc"), others(directory / "other_calls.inc");
   write_types(registry, types);
   write_enums(registry, enums);
-  write_commands(registry, commands);
-  write_attributes(registry, attributes, others);
-  for (std::ofstream* file : {&types, &enums, &commands, &attributes, &others}) {
+  write_commands(registry, commands, attributes, attribute_commands, others);
+  for (std::ofstream* file : {&types, &enums, &commands, &attributes, &attribute_commands, &others}) {
     file->close();
     if (!*file) {
       std::fprintf(stderr, "truequad_generate: cannot write into %s\n", directory.c_str());

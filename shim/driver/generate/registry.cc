@@ -1,6 +1,7 @@
 // Reads gl.xml with pugixml; the file's structure is described in the registry's "readme.pdf", sections 6 to 12.
 #include "registry.h"
 
+#include <algorithm>
 #include <pugixml.hpp>
 #include <set>
 
@@ -91,6 +92,9 @@ Registry read_registry(const std::string& path, std::string& error) {
       registry.commands.push_back(read_command(command));
     }
   }
+  // Sorted, so that a name is found by halving.
+  std::sort(registry.commands.begin(), registry.commands.end(),
+            [](const Command& a, const Command& b) { return a.name < b.name; });
   if (registry.commands.empty()) error = path + ": has no commands";
   return registry;
 }

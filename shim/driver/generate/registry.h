@@ -24,7 +24,7 @@ struct Enum {
 struct Registry {
   std::vector<std::string> types;  // C declarations, in order
   std::vector<Enum> enums;         // each name once
-  std::vector<Command> commands;   // each name once
+  std::vector<Command> commands;   // each name once, sorted by name
 };
 
 // Reads a registry file. On failure `error` says why in one line and the result is empty.
