@@ -75,6 +75,7 @@ using Drawable = unsigned long;
 using Status = int;
 using Boolean = unsigned int;
 using Enum = unsigned int;
+using Byte = unsigned char;
 
 TQ_MAKE_CURRENT_DOOR(truequad::Api::kGlx, Status, glXMakeCurrent, (Handle display, Drawable drawable, Handle context),
                      (display, drawable, context), context)
@@ -108,7 +109,7 @@ TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglWaitGL, (), ())
 TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglWaitClient, (), ())
 TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglCopyBuffers, (Handle display, Handle surface, Handle target), (display, surface, target))
 
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kOsmesa, unsigned char, OSMesaMakeCurrent,
+TQ_MAKE_CURRENT_DOOR(truequad::Api::kOsmesa, Byte, OSMesaMakeCurrent,
                      (Handle context, Handle buffer, Enum type, int width, int height),
                      (context, buffer, type, width, height), context)
 TQ_DESTROY_DOOR(truequad::Api::kOsmesa, void, OSMesaDestroyContext, (Handle context), (context), context)

@@ -40,7 +40,7 @@ std::string find_library() {
 std::string check(const truequad::OptionRow& row, const std::string& text) {
   truequad::Options scratch;
   if (row.parse(text, scratch)) return "";
-  return "--" + std::string(row.name) + " takes " + std::string(row.accepts) + ", not '" + text + "'";
+  return "must be " + std::string(row.accepts) + ", not '" + text + "'";
 }
 
 int become(std::vector<std::string>& words) {
@@ -56,7 +56,7 @@ int become(std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Runs an OpenGL program so that its textured quadrilaterals are drawn correctly.", "truequad"};
-  app.usage("Usage: truequad [OPTIONS] PROGRAM [ARGUMENTS...]");
+  app.footer("The program and its own arguments follow: truequad [OPTIONS] PROGRAM [ARGUMENTS...]");
   app.set_version_flag("--version", "truequad " TRUEQUAD_VERSION);
   app.prefix_command();  // the first word that is no option of ours begins the program's own
   std::map<std::string, std::string> settings;
