@@ -1,5 +1,5 @@
-// The test that every quad meets on the vertex path: a parallelogram in position and in texture coordinates, to the
-// rounding of the floats themselves, is affine (docs/design.md "Nothing to do").
+// The test that every quad meets on the vertex path: a parallelogram in position and in texture coordinates,
+// to the rounding of the floats themselves, is affine (docs/design.md "Nothing to do").
 #pragma once
 
 #include <cmath>
@@ -7,13 +7,14 @@
 
 namespace truequad {
 
-// True only if classify() says kAffine, kConstant or kDegenerate for these corners A B C D, each x y z w and s t r q.
-// False for NaN, infinity and sums that overflow: classify() decides these.
+// True only if classify() says kAffine, kConstant or kDegenerate for these corners A B C D, each x y z w and
+// s t r q. False for NaN, infinity and sums that overflow: classify() decides these.
 inline bool surely_affine(const float (&position)[4][4], const float (&texture)[4][4]) {
-  // classify() allows 4 units of 2^-24 of each coordinate; the residual's own rounding takes less than one of two.
+  // classify() allows 4 units of 2^-24 of each coordinate; the residual's own rounding takes less than one of
+  // two.
   constexpr float kUnits = 0x1p-23f;
   int failed = 0;
-  const auto test = [&failed](const float (&x)[4][4]) {
+  const auto test = [&failed](const float(&x)[4][4]) {
     for (int i = 0; i < 4; ++i) {
       const float residual = std::fabs((x[0][i] - x[1][i]) + (x[2][i] - x[3][i]));
       const float sum = (std::fabs(x[0][i]) + std::fabs(x[1][i])) + (std::fabs(x[2][i]) + std::fabs(x[3][i]));

@@ -22,7 +22,8 @@ constexpr int kSmallestBlock = 12;
 // Triangles spent on a quad whose texture map folds: no number of them gives a bound there.
 constexpr int kFoldedTriangles = 512;
 constexpr int kMaxRounds = 12;
-// Lines and insets are made for a little less than what verification asks, or its rounding slack would refuse them.
+// Lines and insets are made for a little less than what verification asks, or its rounding slack would refuse
+// them.
 constexpr double kMargin = 1 - 1e-6;
 
 double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px) {
@@ -48,14 +49,15 @@ double fan(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double li
 // Widths between the four sides AB, BC, CD, DA and the block.
 using Insets = std::array<double, 4>;
 
-// Largest inset of the side at the start (`at_start`) or end of `across` with which the triangles along it keep
-// `error_px`. On the segment from a corner to the apex above `middle` the interpolation error at u is at most
-// inset u (1 - u / middle).
+// Largest inset of the side at the start (`at_start`) or end of `across` with which the triangles along it
+// keep `error_px`. On the segment from a corner to the apex above `middle` the interpolation error at u is at
+// most inset u (1 - u / middle).
 double inset_for(const Density& along, const Density& across, bool at_start, double middle, double error_px) {
   double worst = 0;
   for (int i = 0; i < along.steps; ++i) {
     const auto profile = [&](double from, double to, double span) {
-      const double low = std::min(from, span), high = std::min(to, span), peak = std::clamp(span / 2, low, high);
+      const double low = std::min(from, span), high = std::min(to, span),
+                   peak = std::clamp(span / 2, low, high);
       return peak * (1 - peak / span);
     };
     const double left = profile(along.edge[i], along.edge[i + 1], middle);
@@ -86,13 +88,14 @@ double median(const Density& density) {
 }
 
 int block_triangles(int n, int m, const std::array<bool, 4>& flush) {
-  return 4 * n * m + (flush[0] ? 0 : n + 1) + (flush[1] ? 0 : m + 1) + (flush[2] ? 0 : n + 1) + (flush[3] ? 0 : m + 1);
+  return 4 * n * m + (flush[0] ? 0 : n + 1) + (flush[1] ? 0 : m + 1) + (flush[2] ? 0 : n + 1) +
+         (flush[3] ? 0 : m + 1);
 }
 
-// Chooses numbers of cells and writes the lines for error_px. Returns the number of triangles, which may exceed `cap`;
-// then the lines are not valid.
-int choose_lines(const Densities& densities, const Insets& inset, const std::array<bool, 4>& flush, double error_px,
-                 int cap, Plan& plan) {
+// Chooses numbers of cells and writes the lines for error_px. Returns the number of triangles, which may
+// exceed `cap`; then the lines are not valid.
+int choose_lines(const Densities& densities, const Insets& inset, const std::array<bool, 4>& flush,
+                 double error_px, int cap, Plan& plan) {
   const double u0 = inset[3], u1 = 1 - inset[1], v0 = inset[0], v1 = 1 - inset[2];
   const Density &du = densities.u, &dv = densities.v;
   const double product = 16 * error_px;
@@ -170,8 +173,8 @@ void set_fan(Plan& plan, double bound) {
   plan.bound_px = bound;
 }
 
-// Looks for the smallest block that keeps the budget. Sets lines, triangles and bound_px; returns false if not even the
-// smallest block fits under the cap.
+// Looks for the smallest block that keeps the budget. Sets lines, triangles and bound_px; returns false if
+// not even the smallest block fits under the cap.
 bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
   const int cap = model.folded ? std::min(budget.max_triangles, kFoldedTriangles) : budget.max_triangles;
   if (cap < kSmallestBlock) return false;
@@ -179,9 +182,9 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
   fit_densities(model, densities);
 
   const std::array<bool, 4>& flush = plan.collapsed_edge;
-  double aim_px = budget.mesh_px;        // error that lines and insets are made for
-  double lines_px = kMargin * aim_px;    // the same for the lines alone, corrected by what verification found
-  Insets shrink;                         // the same for insets, as a factor
+  double aim_px = budget.mesh_px;      // error that lines and insets are made for
+  double lines_px = kMargin * aim_px;  // the same for the lines alone, corrected by what verification found
+  Insets shrink;                       // the same for insets, as a factor
   shrink.fill(kMargin);
   const double middle_u = median(densities.u), middle_v = median(densities.v);
   bool found = false, at_cap = false;
@@ -189,12 +192,13 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
     Insets inset;
     for (int side = 0; side < 4; ++side) {
       const bool along_u = side % 2 == 0;
-      inset[side] = flush[side] ? 0
-                                : std::max(shrink[side] * inset_for(along_u ? densities.u : densities.v,
-                                                                    along_u ? densities.v : densities.u,
-                                                                    side == 0 || side == 3,
-                                                                    along_u ? middle_u : middle_v, aim_px),
-                                           kMinInset);
+      inset[side] =
+          flush[side]
+              ? 0
+              : std::max(shrink[side] * inset_for(along_u ? densities.u : densities.v,
+                                                  along_u ? densities.v : densities.u, side == 0 || side == 3,
+                                                  along_u ? middle_u : middle_v, aim_px),
+                         kMinInset);
     }
     const int triangles = choose_lines(densities, inset, flush, lines_px, cap, plan);
     if (triangles > cap) {
@@ -231,8 +235,8 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
 }  // namespace
 
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan) {
-  const std::array<MeshPoint, 4> corner{mesh_point(model, 0, 0), mesh_point(model, 1, 0), mesh_point(model, 1, 1),
-                                        mesh_point(model, 0, 1)};
+  const std::array<MeshPoint, 4> corner{mesh_point(model, 0, 0), mesh_point(model, 1, 0),
+                                        mesh_point(model, 1, 1), mesh_point(model, 0, 1)};
   const double native = two_triangles(model, corner, budget.mesh_px);
   if (native <= budget.mesh_px) {
     plan.action = Action::kPass;

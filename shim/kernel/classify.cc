@@ -1,8 +1,9 @@
 // Rank test of a quad in homogeneous object space; derived in docs/design.md "Nothing to do".
 //
-// The quad is affine when D = a A + b B + c C implies T_D = a T_A + b T_B + c T_C. Elimination of the corners' matrix
-// (rows A B C D, columns x y z w) with the texture columns carried along tests both at once. Every entry carries a
-// bound on what single-precision rounding of the input can have done to it, so no absolute number is needed.
+// The quad is affine when D = a A + b B + c C implies T_D = a T_A + b T_B + c T_C. Elimination of the
+// corners' matrix (rows A B C D, columns x y z w) with the texture columns carried along tests both at once.
+// Every entry carries a bound on what single-precision rounding of the input can have done to it, so no
+// absolute number is needed.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +12,8 @@
 namespace truequad {
 namespace {
 
-// Uncertainty of an input coordinate relative to its size: its own rounding and that of a few operations before.
+// Uncertainty of an input coordinate relative to its size: its own rounding and that of a few operations
+// before.
 constexpr double kInputRounding = 4 * 0x1p-24;
 // Rounding of the elimination itself, in double precision.
 constexpr double kOwnRounding = 4 * 0x1p-53;
@@ -24,15 +26,16 @@ struct Rows {
   bool vanishes(int row, int column) const { return std::fabs(value[row][column]) <= error[row][column]; }
 };
 
-// Takes the pivot's multiple off a row, with first-order propagation of the errors. Columns of earlier pivots hold 0 in
-// both rows and stay 0.
+// Takes the pivot's multiple off a row, with first-order propagation of the errors. Columns of earlier pivots
+// hold 0 in both rows and stay 0.
 void eliminate(Rows& rows, int row, int pivot_row, int pivot_column) {
   double* const x = rows.value[row];
   double* const x_error = rows.error[row];
   const double* const y = rows.value[pivot_row];
   const double* const y_error = rows.error[pivot_row];
   const double factor = x[pivot_column] / y[pivot_column], size = std::fabs(factor);
-  const double factor_error = (x_error[pivot_column] + size * y_error[pivot_column]) / std::fabs(y[pivot_column]);
+  const double factor_error =
+      (x_error[pivot_column] + size * y_error[pivot_column]) / std::fabs(y[pivot_column]);
   for (int column = 0; column < kColumns; ++column) {
     const double product = factor * y[column];
     x_error[column] += size * y_error[column] + factor_error * std::fabs(y[column]) +
@@ -42,8 +45,8 @@ void eliminate(Rows& rows, int row, int pivot_row, int pivot_column) {
   x[pivot_column] = x_error[pivot_column] = 0;
 }
 
-// Eliminates three pivots. Returns the row and the position column that are left, or {-1, -1} if fewer than three
-// independent corners exist.
+// Eliminates three pivots. Returns the row and the position column that are left, or {-1, -1} if fewer than
+// three independent corners exist.
 struct Left {
   int row, column;
 };
@@ -53,12 +56,14 @@ Left eliminate_three(Rows& rows) {
     int pivot_row = -1, pivot_column = -1;
     // Value and error of the best pivot so far; a value not above its error is indistinguishable from 0.
     double best = 1, best_error = 1;
-    for (int column : {3, 0, 1, 2}) {  // w first: it is exact in most programs, and leaves differences of points
+    for (int column :
+         {3, 0, 1, 2}) {  // w first: it is exact in most programs, and leaves differences of points
       if (column_done[column]) continue;
       int largest = -1;
       for (int row = 0; row < 4; ++row) {
         if (row_done[row]) continue;
-        if (largest < 0 || std::fabs(rows.value[row][column]) > std::fabs(rows.value[largest][column])) largest = row;
+        if (largest < 0 || std::fabs(rows.value[row][column]) > std::fabs(rows.value[largest][column]))
+          largest = row;
       }
       const double value = std::fabs(rows.value[largest][column]), error = rows.error[largest][column];
       // The slack lets w win among columns that are all as exact as their input.

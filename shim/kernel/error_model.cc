@@ -17,7 +17,7 @@ struct Bilinear {
   double along_u, along_v, twist;
 };
 
-Bilinear component(const Corners& x, double Vec4::* of) {
+Bilinear component(const Corners& x, double Vec4::*of) {
   return {x[1].*of - x[0].*of, x[3].*of - x[0].*of, (x[0].*of - x[1].*of) + (x[2].*of - x[3].*of)};
 }
 
@@ -38,46 +38,54 @@ TextureMap make_map(const ScreenQuad& quad, const Bilinear& s, const Bilinear& t
 
 // Are the corners of (s, t) on one line, to the rounding of the doubles?
 bool collinear(const Bilinear& s, const Bilinear& t) {
-  const auto small = [](double a, double b) { return std::fabs(a - b) <= 0x1p-40 * (std::fabs(a) + std::fabs(b)); };
-  return small(s.along_u * t.along_v, t.along_u * s.along_v) && small(s.along_u * t.twist, t.along_u * s.twist) &&
-         small(s.along_v * t.twist, t.along_v * s.twist);
+  const auto small = [](double a, double b) {
+    return std::fabs(a - b) <= 0x1p-40 * (std::fabs(a) + std::fabs(b));
+  };
+  return small(s.along_u * t.along_v, t.along_u * s.along_v) &&
+         small(s.along_u * t.twist, t.along_u * s.twist) && small(s.along_v * t.twist, t.along_v * s.twist);
 }
 
-// Only `s` is told apart: a texel is a curve of constant s, and any second function may choose which point of the
-// curve counts as its place. This one has gradient orthogonal to s in the middle of the quad and the twist that
-// makes the displacement least there.
-Bilinear companion(const ScreenQuad& quad, const Bilinear& s) {
+// The determinant is 0 or changes sign in the unit square.
+bool folds(const TextureMap& map) {
+  const double at[4] = {map.constant, map.jacobian(1, 0), map.jacobian(1, 1), map.jacobian(0, 1)};
+  return !(*std::min_element(at, at + 4) > 0) && !(*std::max_element(at, at + 4) < 0);
+}
+
+// Only `s` is told apart: a texel is a curve of constant s, and any second function may choose which point of
+// the curve counts as its place. This one has a gradient orthogonal to that of s in the middle of the quad,
+// and the twist that makes the displacement least there, or as much of it as does not fold the map.
+TextureMap make_curve_map(const ScreenQuad& quad, const Bilinear& s) {
   const double gradient_u = s.along_u + s.twist / 2, gradient_v = s.along_v + s.twist / 2;
   const auto with_twist = [&](double twist) {
-    return Bilinear{-gradient_v - twist / 2, gradient_u - twist / 2, twist};
+    return make_map(quad, s, {-gradient_v - twist / 2, gradient_u - twist / 2, twist});
   };
+  const TextureMap plain = with_twist(0);
   const ScreenPoint middle = quad.at(0.5, 0.5);
-  if (!(middle.w > 0)) return with_twist(0);
+  if (!(middle.w > 0)) return plain;
+  // The displacement is linear in the twist.
   const auto shift = [&](const TextureMap& map) {
     return std::array<double, 2>{map.x - middle.x / middle.w * map.w, map.y - middle.y / middle.w * map.w};
   };
-  // The displacement is linear in the twist.
   const double unit = std::max(std::fabs(gradient_u), std::fabs(gradient_v));
-  const auto at_zero = shift(make_map(quad, s, with_twist(0)));
-  const auto at_unit = shift(make_map(quad, s, with_twist(unit)));
+  const auto at_zero = shift(plain), at_unit = shift(with_twist(unit));
   const double dx = at_unit[0] - at_zero[0], dy = at_unit[1] - at_zero[1], square = dx * dx + dy * dy;
-  if (!(square > 0)) return with_twist(0);
-  return with_twist(-unit * ((at_zero[0] * dx + at_zero[1] * dy) / square));
+  if (!(square > 0)) return plain;
+  const double best = -unit * ((at_zero[0] * dx + at_zero[1] * dy) / square);
+  for (double part : {1.0, 0.75, 0.5, 0.25}) {
+    const TextureMap map = with_twist(part * best);
+    if (!folds(map)) return map;
+  }
+  return plain;
 }
 
 void add_map(ErrorModel& model, const Bilinear& s, const Bilinear& t) {
-  TextureMap map;
   if (!varies(s) && !varies(t)) return;
-  if (!collinear(s, t)) {
-    map = make_map(model.screen, s, t);
-  } else {
-    const auto size = [](const Bilinear& f) { return std::fabs(f.along_u) + std::fabs(f.along_v) + std::fabs(f.twist); };
-    const Bilinear& one = size(s) >= size(t) ? s : t;
-    map = make_map(model.screen, one, companion(model.screen, one));
-  }
-  const double at[4] = {map.constant, map.jacobian(1, 0), map.jacobian(1, 1), map.jacobian(0, 1)};
-  const double low = *std::min_element(at, at + 4), high = *std::max_element(at, at + 4);
-  model.folded |= !(low > 0) && !(high < 0);
+  const auto size = [](const Bilinear& f) {
+    return std::fabs(f.along_u) + std::fabs(f.along_v) + std::fabs(f.twist);
+  };
+  const TextureMap map = collinear(s, t) ? make_curve_map(model.screen, size(s) >= size(t) ? s : t)
+                                         : make_map(model.screen, s, t);
+  model.folded |= folds(map);
   model.map[model.map_count++] = map;
 }
 
@@ -87,9 +95,10 @@ struct Corner {
   ScreenPoint p;
 };
 
-// Distance in pixels that `map` moves a texel which is drawn in the hull of `points`, when |e| <= error there and the
-// determinant is at least `jacobian` in size.
-double displacement(const TextureMap& map, double error, double jacobian, std::span<const ScreenPoint> points) {
+// Distance in pixels that `map` moves a texel which is drawn in the hull of `points`, when |e| <= error there
+// and the determinant is at least `jacobian` in size.
+double displacement(const TextureMap& map, double error, double jacobian,
+                    std::span<const ScreenPoint> points) {
   if (!(jacobian > 0)) return kInfinity;
   const double root = jacobian * jacobian - 4 * std::fabs(map.of_u * map.of_v) * error;
   if (!(root >= 0)) return kInfinity;
@@ -112,7 +121,8 @@ double displacement(const TextureMap& map, double error, double jacobian, std::s
 template <typename AnyCorner, std::size_t n>
 double least_jacobian(const TextureMap& map, const std::array<AnyCorner, n>& corner, double sign) {
   double least = kInfinity;
-  for (const AnyCorner& c : corner) least = std::min(least, std::copysign(1.0, sign) * map.jacobian(c.u, c.v));
+  for (const AnyCorner& c : corner)
+    least = std::min(least, std::copysign(1.0, sign) * map.jacobian(c.u, c.v));
   return std::max(least, 0.0);
 }
 
@@ -133,8 +143,8 @@ double largest_product(const std::array<Corner, 3>& c) {
 }
 
 // Bound over a part of a triangle whose own determinants (docs/design.md: det M) are `own`.
-double part_bound(const ErrorModel& model, const std::array<double, kMaxMaps>& own, const std::array<Corner, 3>& c,
-                  double limit_px, int depth) {
+double part_bound(const ErrorModel& model, const std::array<double, kMaxMaps>& own,
+                  const std::array<Corner, 3>& c, double limit_px, int depth) {
   Visible visible;
   if (!visible.of(model.screen, c[0].p, c[1].p, c[2].p)) return 0;
   const double error =
@@ -174,7 +184,8 @@ bool add_texture_maps(const Corners& position, std::span<const Corners> textures
     }
     // A single set has been found warped by the caller.
     if (textures.size() > 1 && classify(position, {&texture, 1}) != Shape::kWarped) continue;
-    const Bilinear s = component(texture, &Vec4::x), t = component(texture, &Vec4::y), r = component(texture, &Vec4::z);
+    const Bilinear s = component(texture, &Vec4::x), t = component(texture, &Vec4::y),
+                   r = component(texture, &Vec4::z);
     if (!varies(r)) {
       add_map(model, s, t);
     } else {
@@ -198,8 +209,9 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
   const double gradient_u = (f1 * v2 - f2 * v1) / area, gradient_v = (u1 * f2 - u2 * f1) / area;
   std::array<double, kMaxMaps> own;
   for (std::size_t i = 0; i < model.map_count; ++i) own[i] = model.map[i].jacobian(gradient_v, gradient_u);
-  return part_bound(model, own, {Corner{a.u, a.v, 0, a.p}, Corner{b.u, b.v, 0, b.p}, Corner{c.u, c.v, 0, c.p}},
-                    limit_px, depth);
+  return part_bound(model, own,
+                    {Corner{a.u, a.v, 0, a.p}, Corner{b.u, b.v, 0, b.p}, Corner{c.u, c.v, 0, c.p}}, limit_px,
+                    depth);
 }
 
 double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, double limit_px) {
@@ -212,7 +224,8 @@ double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corne
   if (all) return 0;
   const double error = (corner[1].u - corner[0].u) * (corner[3].v - corner[0].v) / 16;
   if (!any) {
-    // The four triangles together: their own determinants are those of edge midpoints, within the corners' range.
+    // The four triangles together: their own determinants are those of edge midpoints, within the corners'
+    // range.
     const ScreenPoint points[4] = {corner[0].p, corner[1].p, corner[2].p, corner[3].p};
     double bound = 0;
     for (const TextureMap& map : model.maps()) {

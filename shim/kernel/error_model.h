@@ -1,5 +1,5 @@
-// How far from its exact place a mesh triangle draws a texel: derived, with proofs, in docs/design.md "Error of a
-// triangle".
+// How far from its exact place a mesh triangle draws a texel: derived, with proofs, in docs/design.md "Error
+// of a triangle".
 #pragma once
 
 #include <array>
@@ -34,8 +34,9 @@ struct ErrorModel {
   std::span<const TextureMap> maps() const { return {map.data(), map_count}; }
 };
 
-// Adds the maps of the sets that are warped. Requires model.screen, and that classify() says kWarped of all sets
-// together. Returns false if a set's q varies over the corners: then (s, t, r) alone do not tell what is drawn.
+// Adds the maps of the sets that are warped. Requires model.screen, and that classify() says kWarped of all
+// sets together. Returns false if a set's q varies over the corners: then (s, t, r) alone do not tell what is
+// drawn.
 bool add_texture_maps(const Corners& position, std::span<const Corners> textures, ErrorModel& model);
 
 // A corner of a mesh triangle: parameters and the clip-space point drawn there.
@@ -45,9 +46,10 @@ struct MeshPoint {
 };
 MeshPoint mesh_point(const ErrorModel& model, double u, double v);
 
-// Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact place; 0 if
-// nothing of it is inside. Infinite if no bound is known. If the plain bound exceeds `limit_px`, up to `depth` halvings
-// of the triangle look for a tighter one that does not; the result is then below or at the limit, or the plain bound.
+// Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact
+// place; 0 if nothing of it is inside. Infinite if no bound is known. If the plain bound exceeds `limit_px`,
+// up to `depth` halvings of the triangle look for a tighter one that does not; the result is then below or at
+// the limit, or the plain bound.
 double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c,
                       double limit_px, int depth);
 

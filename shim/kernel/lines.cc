@@ -11,8 +11,8 @@ namespace {
 constexpr int kSteps = Density::kMaxSteps;
 // A quad whose local error differs by less than this over the corners gets even lines.
 constexpr double kEven = 1.05;
-// Where a texture map folds its determinant is taken as at least this part of its largest size: lines may not pile up
-// at a place that no line can help.
+// Where a texture map folds its determinant is taken as at least this part of its largest size: lines may not
+// pile up at a place that no line can help.
 constexpr double kFoldFloor = 1.0 / 32;
 
 struct Sample {
@@ -20,7 +20,8 @@ struct Sample {
 };
 
 // Largest displacement per unit of interpolation error at the given points.
-double local_error(const TextureMap& map, double jacobian, std::span<const ScreenPoint> points, double w_floor) {
+double local_error(const TextureMap& map, double jacobian, std::span<const ScreenPoint> points,
+                   double w_floor) {
   double largest = 0;
   for (const ScreenPoint& p : points) {
     const double w = std::max(p.w, w_floor);
@@ -69,7 +70,8 @@ class Sampler {
     double largest = 0;
     for (std::size_t i = 0; i < model_.map_count; ++i) {
       const TextureMap& map = model_.map[i];
-      const double at[4] = {map.jacobian(u0, v0), map.jacobian(u1, v0), map.jacobian(u1, v1), map.jacobian(u0, v1)};
+      const double at[4] = {map.jacobian(u0, v0), map.jacobian(u1, v0), map.jacobian(u1, v1),
+                            map.jacobian(u0, v1)};
       const double low = *std::min_element(at, at + 4), high = *std::max_element(at, at + 4);
       const double jacobian = std::max({low, -high, floor_[i]});
       if (jacobian > 0) largest = std::max(largest, local_error(map, jacobian, points, w_floor_));
@@ -148,7 +150,8 @@ void fit_densities(const ErrorModel& model, Densities& densities) {
   for (int round = 0;; ++round) {
     Sample g;
     for (int j = 0; j < v.steps; ++j) {
-      for (int i = 0; i < u.steps; ++i) g.at[j][i] = sampler.cell(u.edge[i], u.edge[i + 1], v.edge[j], v.edge[j + 1]);
+      for (int i = 0; i < u.steps; ++i)
+        g.at[j][i] = sampler.cell(u.edge[i], u.edge[i + 1], v.edge[j], v.edge[j + 1]);
     }
     fit(g, u, v);
     const double work = u.integral(0, 1) * v.integral(0, 1);

@@ -18,14 +18,15 @@ struct Density {
   double integral(double from, double to) const;
 };
 
-// Steps a(u), b(v) with a(u) b(v) >= displacement in px per unit of the interpolation error of uv, over the visible part.
+// Steps a(u), b(v) with a(u) b(v) >= displacement in px per unit of the interpolation error of uv, over the
+// visible part.
 struct Densities {
   Density u, v;
 };
 void fit_densities(const ErrorModel& model, Densities& densities);
 
-// Cuts [from, to] into the fewest cells with (width of the cell) (largest height in it) <= share. Returns their
-// number, at most kMaxLines; with more than that, kMaxLines. `lines` may be null.
+// Cuts [from, to] into the fewest cells with (width of the cell) (largest height in it) <= share. Returns
+// their number, at most kMaxLines; with more than that, kMaxLines. `lines` may be null.
 int cut(const Density& density, double from, double to, double share, GridLines* lines);
 
 // The least share (nearly) with which cut() needs no more than `cells`.

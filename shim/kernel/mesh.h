@@ -1,17 +1,19 @@
-// The triangles of a mesh, in one place for those who bound them and those who write them (docs/design.md "Mesh").
+// The triangles of a mesh, in one place for those who bound them and those who write them (docs/design.md
+// "Mesh").
 #pragma once
 
 #include "truequad/kernel.h"
 
 namespace truequad::kernel {
 
-// A vertex of the block and its surroundings: i, j number the grid lines; outside of [0, cells] it is the quad's corner
-// on that side.
+// A vertex of the block and its surroundings: i, j number the grid lines; outside of [0, cells] it is the
+// quad's corner on that side.
 struct Node {
   int i, j;
 };
 
-// The block of a plan in numbers of cells, and the sides on which it reaches the quad's own edge: AB, BC, CD, DA.
+// The block of a plan in numbers of cells, and the sides on which it reaches the quad's own edge: AB, BC, CD,
+// DA.
 struct Block {
   int n, m;
   bool flush[4];
@@ -36,8 +38,8 @@ inline Param param(const Plan& plan, const Block& block, Node node) {
   return {at(plan.u, node.i, block.n), at(plan.v, node.j, block.m)};
 }
 
-// Calls f(Node, Node, Node) for each triangle between one side of the quad and the block: the outer edge with the middle
-// node of the inner one as apex, and on both halves of the inner edge a fan from the corner.
+// Calls f(Node, Node, Node) for each triangle between one side of the quad and the block: the outer edge with
+// the middle node of the inner one as apex, and on both halves of the inner edge a fan from the corner.
 template <typename F>
 void for_each_border_triangle(const Block& block, int side, F&& f) {
   const int n = block.n, m = block.m;
@@ -45,10 +47,14 @@ void for_each_border_triangle(const Block& block, int side, F&& f) {
   const int cells = block.side_cells(side);
   const auto inner = [&](int t) {
     switch (side) {
-      case 0: return Node{t, 0};
-      case 1: return Node{n, t};
-      case 2: return Node{n - t, m};
-      default: return Node{0, m - t};
+      case 0:
+        return Node{t, 0};
+      case 1:
+        return Node{n, t};
+      case 2:
+        return Node{n - t, m};
+      default:
+        return Node{0, m - t};
     }
   };
   const Node p = corner[side], q = corner[(side + 1) % 4];

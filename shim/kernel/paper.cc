@@ -1,6 +1,6 @@
-// Oliveira, "Correcting Texture Mapping Errors Introduced by Graphics Hardware" (SIBGRAPI 2001): midpoint subdivision
-// of a quad while it, or its texture patch, is not a parallelogram and its projected area is worth it. The area is that
-// of the whole quad divided by four per level.
+// Oliveira, "Correcting Texture Mapping Errors Introduced by Graphics Hardware" (SIBGRAPI 2001): midpoint
+// subdivision of a quad while it, or its texture patch, is not a parallelogram and its projected area is
+// worth it. The area is that of the whole quad divided by four per level.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -39,7 +39,8 @@ bool parallelogram(const Points& p, double threshold) {
   return parallel(p[1] - p[0], p[2] - p[3]) && parallel(p[3] - p[0], p[2] - p[1]);
 }
 
-// In square pixels; the whole viewport for a quad that reaches behind the eye, which the paper does not treat.
+// In square pixels; the whole viewport for a quad that reaches behind the eye, which the paper does not
+// treat.
 double projected_area(const ScreenQuad& quad) {
   double x[4], y[4];
   for (int i = 0; i < 4; ++i) {
@@ -97,11 +98,12 @@ void plan_paper(const Corners& position, std::span<const Corners> textures, cons
   for (const Leaf& leaf : std::span(plan.leaves.data(), plan.leaf_count)) {
     const MeshPoint a = mesh_point(model, leaf.u0, leaf.v0), b = mesh_point(model, leaf.u1, leaf.v0),
                     c = mesh_point(model, leaf.u1, leaf.v1), d = mesh_point(model, leaf.u0, leaf.v1);
-    plan.bound_px = std::max({plan.bound_px, triangle_bound(model, a, b, c, 0, 0), triangle_bound(model, a, c, d, 0, 0)});
+    plan.bound_px =
+        std::max({plan.bound_px, triangle_bound(model, a, b, c, 0, 0), triangle_bound(model, a, c, d, 0, 0)});
     // Drawn by the driver, which may choose the other diagonal.
     if (plan.leaf_count == 1) {
-      plan.bound_px =
-          std::max({plan.bound_px, triangle_bound(model, a, b, d, 0, 0), triangle_bound(model, b, c, d, 0, 0)});
+      plan.bound_px = std::max(
+          {plan.bound_px, triangle_bound(model, a, b, d, 0, 0), triangle_bound(model, b, c, d, 0, 0)});
     }
   }
   plan.bound_px += budget.snap_px;

@@ -10,8 +10,8 @@ namespace {
 using kernel::Budget;
 using kernel::ErrorModel;
 
-// Mode::kAuto takes the projective map up to this ratio of its factors: beyond it the texture is compressed more
-// strongly along the quad than the eye takes for perspective.
+// Mode::kAuto takes the projective map up to this ratio of its factors: beyond it the texture is compressed
+// more strongly along the quad than the eye takes for perspective.
 constexpr double kAutoSpread = 4;
 
 void pass(Plan& out, PassReason reason) {
@@ -36,7 +36,8 @@ Budget kernel::make_budget(const Limits& limits, const View& view) {
   Budget budget;
   budget.tolerance_px = positive(limits.tolerance_px, defaults.tolerance_px, 1e-3, 1e6);
   budget.snap_px = positive(view.snap_px, 0, 0, 1);
-  // A tolerance of the order of the rasteriser's own grid leaves half of it to the mesh; the bound says the rest.
+  // A tolerance of the order of the rasteriser's own grid leaves half of it to the mesh; the bound says the
+  // rest.
   budget.mesh_px = std::max(budget.tolerance_px - budget.snap_px, budget.tolerance_px / 2);
   budget.max_triangles = std::clamp(limits.max_triangles, 4, kMaxTriangles);
   budget.paper.object = positive(limits.paper.object, defaults.paper.object, 0, 2);
@@ -59,11 +60,16 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
   textures = textures.first(std::min(textures.size(), kMaxTextureSets));
   if (mode == Mode::kOff) return pass(out, PassReason::kModeOff);
   switch (classify(position, textures)) {
-    case Shape::kAffine: return pass(out, PassReason::kAffine);
-    case Shape::kConstant: return pass(out, PassReason::kConstant);
-    case Shape::kDegenerate: return pass(out, PassReason::kDegenerate);
-    case Shape::kNotFinite: return pass(out, PassReason::kNotFinite);
-    case Shape::kWarped: break;
+    case Shape::kAffine:
+      return pass(out, PassReason::kAffine);
+    case Shape::kConstant:
+      return pass(out, PassReason::kConstant);
+    case Shape::kDegenerate:
+      return pass(out, PassReason::kDegenerate);
+    case Shape::kNotFinite:
+      return pass(out, PassReason::kNotFinite);
+    case Shape::kWarped:
+      break;
   }
   if (!finite(view)) return pass(out, PassReason::kNotFinite);
   if (!(view.viewport.width > 0) || !(view.viewport.height > 0)) return pass(out, PassReason::kInvisible);

@@ -1,4 +1,5 @@
-// The planners behind plan(): each fills action, reason, bound, cap, triangle count and what its action needs.
+// The planners behind plan(): each fills action, reason, bound, cap, triangle count and what its action
+// needs.
 #pragma once
 
 #include <span>
@@ -8,8 +9,8 @@
 
 namespace truequad::kernel {
 
-// Limits in their valid range, with the part of the tolerance that is left to the mesh once the rasteriser has snapped
-// its vertices.
+// Limits in their valid range, with the part of the tolerance that is left to the mesh once the rasteriser
+// has snapped its vertices.
 struct Budget {
   double tolerance_px, snap_px, mesh_px;
   int max_triangles;
@@ -17,16 +18,17 @@ struct Budget {
 };
 Budget make_budget(const Limits& limits, const View& view);
 
-// Passes if two triangles are enough, else meshes. model: screen and maps of the sets that are neither constant nor
-// affine.
+// Passes if two triangles are enough, else meshes. model: screen and maps of the sets that are neither
+// constant nor affine.
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan);
 
 // Oliveira 2001 as published.
 void plan_paper(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
                 const Budget& budget, Plan& plan);
 
-// Fills plan.lambda; false if some set has no valid projective map. `spread`: the largest ratio of two factors of a set.
-bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget, Plan& plan,
-                     double& spread);
+// Fills plan.lambda; false if some set has no valid projective map. `spread`: the largest ratio of two
+// factors of a set.
+bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget,
+                     Plan& plan, double& spread);
 
 }  // namespace truequad::kernel

@@ -1,6 +1,6 @@
-// The projective map of a planar quad: Heckbert, "Fundamentals of Texture Mapping and Image Warping" (1989); Turkowski,
-// "The Differential Geometry of Texture-Mapping and Shading" (1989); Reed, "Quadrilateral interpolation" (2012) is the
-// case of the unit square. Derived in docs/design.md "Projective".
+// The projective map of a planar quad: Heckbert, "Fundamentals of Texture Mapping and Image Warping" (1989);
+// Turkowski, "The Differential Geometry of Texture-Mapping and Shading" (1989); Reed, "Quadrilateral
+// interpolation" (2012) is the case of the unit square. Derived in docs/design.md "Projective".
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 namespace truequad::kernel {
 namespace {
 
-// A position off its plane by more than this part of the coordinates that enter is not planar: some operations in
-// single precision, which programs use to build their quads.
+// A position off its plane by more than this part of the coordinates that enter is not planar: some
+// operations in single precision, which programs use to build their quads.
 constexpr double kPlanar = 64 * 0x1p-24;
 // Factors that differ by more leave nothing of single-precision texture coordinates.
 constexpr double kMaxSpread = 1e4;
@@ -20,13 +20,13 @@ struct Weights {
   double a, b, c;
 };
 
-// Solves for the weights of the last corner in the others, by elimination with complete pivoting on the columns
-// `dimension`; false if the three corners are dependent or the fourth is off their span.
+// Solves for the weights of the last corner in the others, by elimination with complete pivoting on the
+// columns `dimension`; false if the three corners are dependent or the fourth is off their span.
 bool solve(const Corners& corners, Weights& weights) {
   // Rows: coordinates; columns: A B C D. Rows are scaled to size 1: x y z w have no common unit.
   double m[4][4], size[4];
   for (int r = 0; r < 4; ++r) {
-    double Vec4::* const of[4] = {&Vec4::x, &Vec4::y, &Vec4::z, &Vec4::w};
+    double Vec4::*const of[4] = {&Vec4::x, &Vec4::y, &Vec4::z, &Vec4::w};
     size[r] = 0;
     for (int c = 0; c < 4; ++c) size[r] = std::max(size[r], std::fabs(corners[c].*of[r]));
     for (int c = 0; c < 4; ++c) m[r][c] = size[r] > 0 ? corners[c].*of[r] / size[r] : 0;
@@ -39,7 +39,8 @@ bool solve(const Corners& corners, Weights& weights) {
     double best = kPlanar;
     for (int r = 0; r < 4; ++r) {
       for (int c = 0; c < 3; ++c) {
-        if (!used[r] && !solved[c] && std::fabs(m[r][c]) > best) best = std::fabs(m[r][c]), row = r, column = c;
+        if (!used[r] && !solved[c] && std::fabs(m[r][c]) > best)
+          best = std::fabs(m[r][c]), row = r, column = c;
       }
     }
     if (row < 0) return false;
@@ -72,8 +73,8 @@ bool convex(const Corners& corners, const Weights& weights) {
 
 }  // namespace
 
-bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget, Plan& plan,
-                     double& spread) {
+bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget,
+                     Plan& plan, double& spread) {
   Weights p;
   if (!solve(position, p) || !convex(position, p)) return false;
   spread = 1;

@@ -1,5 +1,5 @@
-// Clip-space geometry. Clipping after Sutherland and Hodgman, "Reentrant Polygon Clipping" (CACM 1974), in homogeneous
-// coordinates, so that points behind the eye need no special case.
+// Clip-space geometry. Clipping after Sutherland and Hodgman, "Reentrant Polygon Clipping" (CACM 1974), in
+// homogeneous coordinates, so that points behind the eye need no special case.
 #include "screen.h"
 
 #include <cmath>
@@ -13,12 +13,18 @@ constexpr double kCollapsedPx = 1.0 / 16;
 // Signed distance from one plane of the clip volume, positive inside; planes are numbered as outcode's bits.
 double inside(const ScreenQuad& quad, int plane, const ScreenPoint& p) {
   switch (plane) {
-    case 0: return quad.half_width * p.w + p.x;
-    case 1: return quad.half_width * p.w - p.x;
-    case 2: return quad.half_height * p.w + p.y;
-    case 3: return quad.half_height * p.w - p.y;
-    case 4: return p.w + p.z;
-    default: return p.w - p.z;
+    case 0:
+      return quad.half_width * p.w + p.x;
+    case 1:
+      return quad.half_width * p.w - p.x;
+    case 2:
+      return quad.half_height * p.w + p.y;
+    case 3:
+      return quad.half_height * p.w - p.y;
+    case 4:
+      return p.w + p.z;
+    default:
+      return p.w - p.z;
   }
 }
 

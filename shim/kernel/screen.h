@@ -9,7 +9,8 @@
 
 namespace truequad::kernel {
 
-// A clip-space point with x and y in pixels from the viewport's centre times w: x / w is a distance in pixels.
+// A clip-space point with x and y in pixels from the viewport's centre times w: x / w is a distance in
+// pixels.
 using ScreenPoint = glm::dvec4;
 
 struct ScreenQuad {
@@ -18,9 +19,7 @@ struct ScreenQuad {
   ScreenPoint along_u, along_v, twist;
   double half_width, half_height;  // of the viewport, px
 
-  ScreenPoint at(double u, double v) const {
-    return corner[0] + u * along_u + v * along_v + (u * v) * twist;
-  }
+  ScreenPoint at(double u, double v) const { return corner[0] + u * along_u + v * along_v + (u * v) * twist; }
   // One bit for each plane of the clip volume that the point is outside of.
   unsigned outcode(const ScreenPoint& p) const {
     return unsigned(p.x < -half_width * p.w) | unsigned(p.x > half_width * p.w) << 1 |
@@ -29,8 +28,8 @@ struct ScreenQuad {
   }
   // True if no part of the quad, nor of any mesh of it, can be inside the clip volume.
   bool invisible() const;
-  // True if the ends of the edge from corner i to the next are so near on the screen that nothing along it can be
-  // told apart.
+  // True if the ends of the edge from corner i to the next are so near on the screen that nothing along it
+  // can be told apart.
   bool collapsed_edge(int i) const;
 };
 

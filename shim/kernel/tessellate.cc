@@ -10,8 +10,8 @@ namespace {
 using kernel::Block;
 using kernel::Node;
 
-// Numbers of the vertices: the quad's corners, the block's nodes row by row (without those that are corners), the
-// centres row by row.
+// Numbers of the vertices: the quad's corners, the block's nodes row by row (without those that are corners),
+// the centres row by row.
 class Numbering {
  public:
   explicit Numbering(const Block& block) : block_(block) {
@@ -26,9 +26,7 @@ class Numbering {
     const int n = block_.n, m = block_.m;
     if (i < 0 || i > n || j < 0 || j > m) return std::uint16_t(j < 0 ? (i < 0 ? 0 : 1) : (i < 0 ? 3 : 2));
     int skipped = 0;
-    const struct {
-      int corner, i, j;
-    } in_order[4] = {{0, 0, 0}, {1, n, 0}, {3, 0, m}, {2, n, m}};
+    const struct { int corner, i, j; } in_order[4] = {{0, 0, 0}, {1, n, 0}, {3, 0, m}, {2, n, m}};
     for (const auto& c : in_order) {
       if (!shared_[c.corner]) continue;
       if (c.i == i && c.j == j) return std::uint16_t(c.corner);
@@ -37,7 +35,8 @@ class Numbering {
     return std::uint16_t(4 + j * (n + 1) + i - skipped);
   }
   std::size_t first_centre() const {
-    return std::size_t(4 + (block_.n + 1) * (block_.m + 1)) - std::size_t(std::count(shared_, shared_ + 4, true));
+    return std::size_t(4 + (block_.n + 1) * (block_.m + 1)) -
+           std::size_t(std::count(shared_, shared_ + 4, true));
   }
   std::size_t vertices() const { return first_centre() + std::size_t(block_.n) * std::size_t(block_.m); }
 
@@ -72,8 +71,8 @@ void write_block(const Plan& plan, std::span<Param> vertices, std::span<Triangle
   for (int j = 0; j < block.m; ++j) {
     for (int i = 0; i < block.n; ++i) {
       vertices[centre] = {(plan.u.at[i] + plan.u.at[i + 1]) / 2, (plan.v.at[j] + plan.v.at[j + 1]) / 2};
-      const std::uint16_t ring[4] = {number.node({i, j}), number.node({i + 1, j}), number.node({i + 1, j + 1}),
-                                     number.node({i, j + 1})};
+      const std::uint16_t ring[4] = {number.node({i, j}), number.node({i + 1, j}),
+                                     number.node({i + 1, j + 1}), number.node({i, j + 1})};
       for (int k = 0; k < 4; ++k) triangles[triangle++] = {ring[k], ring[(k + 1) % 4], std::uint16_t(centre)};
       ++centre;
     }

@@ -12,10 +12,13 @@
 namespace truequad::test {
 namespace {
 
-Shape classify_one(const Corners& position, const Corners& texture) { return classify(position, {&texture, 1}); }
+Shape classify_one(const Corners& position, const Corners& texture) {
+  return classify(position, {&texture, 1});
+}
 
 Corners flat(std::array<double, 8> xy) {
-  return {Vec4{xy[0], xy[1], 0, 1}, Vec4{xy[2], xy[3], 0, 1}, Vec4{xy[4], xy[5], 0, 1}, Vec4{xy[6], xy[7], 0, 1}};
+  return {Vec4{xy[0], xy[1], 0, 1}, Vec4{xy[2], xy[3], 0, 1}, Vec4{xy[4], xy[5], 0, 1},
+          Vec4{xy[6], xy[7], 0, 1}};
 }
 
 // A random affine map of 3-space.
@@ -31,7 +34,9 @@ struct Map {
   Corners operator()(const Corners& c) const {
     Corners out;
     for (int i = 0; i < 4; ++i) {
-      const auto row = [&](int r) { return float(m[r][0] * c[i].x + m[r][1] * c[i].y + m[r][2] * c[i].z + m[r][3]); };
+      const auto row = [&](int r) {
+        return float(m[r][0] * c[i].x + m[r][1] * c[i].y + m[r][2] * c[i].z + m[r][3]);
+      };
       out[i] = {row(0), row(1), row(2), 1};
     }
     return out;
@@ -48,12 +53,17 @@ TEST(Classify, TrapezoidOnItsAffineCopyIsAffine) {
   EXPECT_EQ(classify_one(kTrapezoid, flat({0, 0, 1, 0, .75, 1, .25, 1})), Shape::kAffine);
 }
 
-TEST(Classify, TrapezoidOnSquareIsWarped) { EXPECT_EQ(classify_one(kTrapezoid, kUnitSquare), Shape::kWarped); }
+TEST(Classify, TrapezoidOnSquareIsWarped) {
+  EXPECT_EQ(classify_one(kTrapezoid, kUnitSquare), Shape::kWarped);
+}
 
-TEST(Classify, ParallelogramOnTrapezoidIsWarped) { EXPECT_EQ(classify_one(kUnitSquare, kTrapezoid), Shape::kWarped); }
+TEST(Classify, ParallelogramOnTrapezoidIsWarped) {
+  EXPECT_EQ(classify_one(kUnitSquare, kTrapezoid), Shape::kWarped);
+}
 
 TEST(Classify, TheProgramsOwnCorrectQIsAffine) {
-  // Reed's factors for a trapezoid with parallel sides 4 and 2: the diagonals cut each other 2 to 1, so q is 3 and 3/2.
+  // Reed's factors for a trapezoid with parallel sides 4 and 2: the diagonals cut each other 2 to 1, so q is
+  // 3 and 3/2.
   Corners texture = kUnitSquare;
   const double q[4] = {3, 3, 1.5, 1.5};
   for (int i = 0; i < 4; ++i) texture[i] = {texture[i].x * q[i], texture[i].y * q[i], 0, q[i]};
@@ -110,7 +120,7 @@ TEST(Classify, NotFiniteAnywhereIsNotFinite) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                      -std::numeric_limits<double>::infinity()}) {
     for (int corner = 0; corner < 4; ++corner) {
-      for (double Vec4::* of : {&Vec4::x, &Vec4::y, &Vec4::z, &Vec4::w}) {
+      for (double Vec4::*of : {&Vec4::x, &Vec4::y, &Vec4::z, &Vec4::w}) {
         Corners c = kUnitSquare;
         c[corner].*of = bad;
         EXPECT_EQ(classify_one(c, kUnitSquare), Shape::kNotFinite);
@@ -156,7 +166,8 @@ TEST(AffineFast, IsASubsetOfClassify) {
     Corners c[2];
     for (Corners& x : c) {
       const double place = engine() % 2 ? 1000 : 0;
-      for (int i = 0; i < 3; ++i) x[i] = {unit(engine) + place, unit(engine) - place, engine() % 2 ? unit(engine) : 0, 1};
+      for (int i = 0; i < 3; ++i)
+        x[i] = {unit(engine) + place, unit(engine) - place, engine() % 2 ? unit(engine) : 0, 1};
       x[3] = {x[0].x - x[1].x + x[2].x, x[0].y - x[1].y + x[2].y, x[0].z - x[1].z + x[2].z, 1};
       if (engine() % 2) x[engine() % 4].x += 0x1p-22 * unit(engine) * (1 + place);
     }

@@ -70,14 +70,15 @@ TEST(Figures, AnAffineCopyPasses) {
   EXPECT_EQ(pass.reason, PassReason::kAffine);
 }
 
-// Figures 4 to 6 and 13 of the paper: a checkerboard trapezoid, the whole texture on it, at five projected areas, in
-// both orders of the vertices.
+// Figures 4 to 6 and 13 of the paper: a checkerboard trapezoid, the whole texture on it, at five projected
+// areas, in both orders of the vertices.
 TEST(Figures, NeverMoreTrianglesThanThePaperAtItsError) {
   for (double area_px : {33600.0, 11879.0, 3051.0, 795.0, 197.0}) {
     for (int first : {0, 1}) {
       Quad quad;
       const double unit = std::sqrt(area_px / 1.5);  // sides 2 and 1, height 1
-      const Corners trapezoid{Vec4{-1, -.5, 0, 1}, Vec4{1, -.5, 0, 1}, Vec4{.5, .5, 0, 1}, Vec4{-.5, .5, 0, 1}};
+      const Corners trapezoid{Vec4{-1, -.5, 0, 1}, Vec4{1, -.5, 0, 1}, Vec4{.5, .5, 0, 1},
+                              Vec4{-.5, .5, 0, 1}};
       for (int i = 0; i < 4; ++i) {
         const Vec4& p = trapezoid[(i + first) % 4];
         quad.position[i] = {p.x * unit, p.y * unit, 0, 1};
@@ -91,15 +92,16 @@ TEST(Figures, NeverMoreTrianglesThanThePaperAtItsError) {
       const double paper_px = measure_finely(quad, subdivided ? mesh_of(paper) : two_triangles(true), 12);
       EXPECT_LE(paper_px, paper.bound_px);
       const Plan& ours = planned(quad, paper_px * (1 + 1e-6));
-      const double ours_px = measure_finely(quad, ours.action == Action::kMesh ? mesh_of(ours) : two_triangles(true), 12);
+      const double ours_px =
+          measure_finely(quad, ours.action == Action::kMesh ? mesh_of(ours) : two_triangles(true), 12);
       EXPECT_LE(ours_px, paper_px * (1 + 1e-6)) << area_px;
       if (subdivided) {
         EXPECT_LT(ours.triangles, paper_triangles) << area_px;
       } else {
         EXPECT_LE(ours.triangles, paper_triangles) << area_px;
       }
-      printf("%8.0f px: paper %4d triangles %.4f px, truequad %4d triangles %.4f px\n", area_px, paper_triangles,
-             paper_px, ours.triangles, ours_px);
+      printf("%8.0f px: paper %4d triangles %.4f px, truequad %4d triangles %.4f px\n", area_px,
+             paper_triangles, paper_px, ours.triangles, ours_px);
     }
   }
 }

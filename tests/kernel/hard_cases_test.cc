@@ -36,25 +36,40 @@ TEST(HardCases, AnyBitsAnywhere) {
   Plan& p = scratch_plan();
   for (unsigned trial = 0; trial < 40000; ++trial) {
     std::mt19937_64 engine(trial);
-    const double special[] = {0, -0.0, 1, -1, 0.5, 1e30, -1e30, 1e-30, 1e-45, 5e-324, 1e300, 1.7e308, -1e308,
-                              std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+    const double special[] = {0,
+                              -0.0,
+                              1,
+                              -1,
+                              0.5,
+                              1e30,
+                              -1e30,
+                              1e-30,
+                              1e-45,
+                              5e-324,
+                              1e300,
+                              1.7e308,
+                              -1e308,
+                              std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::quiet_NaN()};
     const auto any = [&]() -> double {
       switch (engine() % 4) {
-        case 0: return special[engine() % std::size(special)];
+        case 0:
+          return special[engine() % std::size(special)];
         case 1: {
           const std::uint64_t bits = engine();
           double x;
           std::memcpy(&x, &bits, sizeof x);
           return x;
         }
-        default: return double(int(engine() % 9) - 4);
+        default:
+          return double(int(engine() % 9) - 4);
       }
     };
     // Wild everywhere would end at the first test of plan(); mostly a sound quad has a few wild numbers.
     Quad quad = random_quad(Kind(engine() % unsigned(Kind::kCount)), trial);
     double* const numbers[] = {&quad.position[engine() % 4].x, &quad.position[engine() % 4].w,
-                               &quad.texture[engine() % 4].y, &quad.view.clip_from_object[engine() % 16],
-                               &quad.view.viewport.width, &quad.view.snap_px};
+                               &quad.texture[engine() % 4].y,  &quad.view.clip_from_object[engine() % 16],
+                               &quad.view.viewport.width,      &quad.view.snap_px};
     for (double* number : numbers) {
       if (engine() % 3 == 0) *number = any();
     }
@@ -150,7 +165,8 @@ TEST(HardCases, MoreTrianglesNeverPromiseLess) {
       limits.max_triangles = cap;
       limits.tolerance_px = 0.1;
       const Plan& p = planned(quad, limits);
-      // A cap four times as large must be worth something; a tenth is for rows and columns being whole numbers.
+      // A cap four times as large must be worth something; a tenth is for rows and columns being whole
+      // numbers.
       ASSERT_LE(p.bound_px, std::max(1.1 * before, 0.1)) << "trial " << trial << " cap " << cap;
       before = p.bound_px;
     }
@@ -202,7 +218,8 @@ TEST(HardCases, PlansDoNotRememberEarlierOnes) {
     ASSERT_EQ(p.triangles, triangles);
     if (p.action != Action::kMesh) continue;
     const Mesh again = mesh_of(p);
-    ASSERT_EQ(std::memcmp(again.vertices.data(), mesh.vertices.data(), mesh.vertices.size() * sizeof(Param)), 0);
+    ASSERT_EQ(std::memcmp(again.vertices.data(), mesh.vertices.data(), mesh.vertices.size() * sizeof(Param)),
+              0);
   }
 }
 

@@ -80,11 +80,13 @@ Measured measure(const Quad& quad, const Mesh& mesh, int samples, unsigned seed)
   Measured measured;
   for (int i = 0; i < samples; ++i) {
     const bool all = samples >= int(mesh.triangles.size());
-    const std::size_t k = all ? std::size_t(i) % mesh.triangles.size()
-                              : std::uniform_int_distribution<std::size_t>(0, mesh.triangles.size() - 1)(engine);
+    const std::size_t k =
+        all ? std::size_t(i) % mesh.triangles.size()
+            : std::uniform_int_distribution<std::size_t>(0, mesh.triangles.size() - 1)(engine);
     Real b[3];
     if (i % 2 == 0) {
-      // Where the interpolation error is largest: the middle of an edge, an odd part of the time slightly beside it.
+      // Where the interpolation error is largest: the middle of an edge, an odd part of the time slightly
+      // beside it.
       const int edge = int(engine() % 3);
       const double t = engine() % 2 ? 0.5 : unit(engine);
       b[edge] = t;

@@ -23,11 +23,11 @@ struct Drawn {
   bool visible;
 };
 // b0, b1, b2: barycentric weights in clip space.
-Drawn drawn_point(const Quad& quad, const Mesh& mesh, const Triangle& triangle, reference::Real b0, reference::Real b1,
-                  reference::Real b2);
+Drawn drawn_point(const Quad& quad, const Mesh& mesh, const Triangle& triangle, reference::Real b0,
+                  reference::Real b1, reference::Real b2);
 
-// Largest displacement in pixels among the visible ones of `samples` points: edge midpoints and random points of random
-// triangles (all triangles in turn if samples allows).
+// Largest displacement in pixels among the visible ones of `samples` points: edge midpoints and random points
+// of random triangles (all triangles in turn if samples allows).
 struct Measured {
   double largest_px = 0;
   int visible = 0;

@@ -14,8 +14,9 @@ double doubled_area(const Param& a, const Param& b, const Param& c) {
   return (b.u - a.u) * (c.v - a.v) - (c.u - a.u) * (b.v - a.v);
 }
 
-// Positive areas, every inner edge met once from either side, and the square as the boundary: such a mesh covers each
-// point of the square exactly once (the winding number of the boundary is the number of triangles over a point).
+// Positive areas, every inner edge met once from either side, and the square as the boundary: such a mesh
+// covers each point of the square exactly once (the winding number of the boundary is the number of triangles
+// over a point).
 void expect_tiling(const Mesh& mesh, const std::array<bool, 4>& collapsed) {
   double area = 0;
   std::map<std::pair<int, int>, int> edges;
@@ -34,7 +35,11 @@ void expect_tiling(const Mesh& mesh, const std::array<bool, 4>& collapsed) {
   for (const auto& [edge, count] : edges) {
     if (edges.contains({edge.second, edge.first})) continue;
     const Param &p = mesh.vertices[std::size_t(edge.first)], &q = mesh.vertices[std::size_t(edge.second)];
-    const int side = p.v == 0 && q.v == 0 ? 0 : p.u == 1 && q.u == 1 ? 1 : p.v == 1 && q.v == 1 ? 2 : p.u == 0 && q.u == 0 ? 3 : -1;
+    const int side = p.v == 0 && q.v == 0   ? 0
+                     : p.u == 1 && q.u == 1 ? 1
+                     : p.v == 1 && q.v == 1 ? 2
+                     : p.u == 0 && q.u == 0 ? 3
+                                            : -1;
     ASSERT_GE(side, 0) << "an inner edge has one triangle only";
     ++outer[side];
     if (!collapsed[std::size_t(side)]) {

@@ -1,4 +1,5 @@
-// The projective map: Reed's factors, Turkowski's example, agreement with a homography, and where it must not be used.
+// The projective map: Reed's factors, Turkowski's example, agreement with a homography, and where it must not
+// be used.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,8 @@ TEST(Projective, ReproducesReedsDiagonalFormula) {
     const double r = ((c[1].x - c[0].x) * by - (c[1].y - c[0].y) * bx) / cross;  // along AC
     const double s = ((c[1].x - c[0].x) * ay - (c[1].y - c[0].y) * ax) / cross;  // along BD
     const double q[4] = {1 / (1 - r), 1 / (1 - s), 1 / r, 1 / s};
-    for (int i = 0; i < 4; ++i) ASSERT_NEAR(p.lambda[0][i] / p.lambda[0][3], q[i] / q[3], 1e-9 * q[i] / q[3]) << trial;
+    for (int i = 0; i < 4; ++i)
+      ASSERT_NEAR(p.lambda[0][i] / p.lambda[0][3], q[i] / q[3], 1e-9 * q[i] / q[3]) << trial;
   }
 }
 
@@ -38,8 +40,10 @@ TEST(Projective, ReproducesTurkowskisExample) {
   const auto& l = p.lambda[0];
   // One linear map takes three corners to their homogeneous texels; the fourth must follow.
   using reference::Real;
-  const auto det = [](const std::array<Real, 3>& a, const std::array<Real, 3>& b, const std::array<Real, 3>& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1]);
+  const auto det = [](const std::array<Real, 3>& a, const std::array<Real, 3>& b,
+                      const std::array<Real, 3>& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
+           c[0] * (a[1] * b[2] - a[2] * b[1]);
   };
   // The quad lies in a plane through no axis: (x, y, 1) are coordinates in it.
   std::array<std::array<Real, 3>, 4> flat;
@@ -65,8 +69,10 @@ TEST(Projective, ReproducesTurkowskisExample) {
   const auto in_texture = meet({{{.2L, .4L}, {.4L, .2L}, {.8L, .3L}, {.7L, .5L}}});
   const Real r = in_position[2];
   const Real qa = (1 - r) * l[0] + r * l[2];
-  EXPECT_NEAR(double(((1 - r) * l[0] * texture[0].x + r * l[2] * texture[2].x) / qa), double(in_texture[0]), 1e-12);
-  EXPECT_NEAR(double(((1 - r) * l[0] * texture[0].y + r * l[2] * texture[2].y) / qa), double(in_texture[1]), 1e-12);
+  EXPECT_NEAR(double(((1 - r) * l[0] * texture[0].x + r * l[2] * texture[2].x) / qa), double(in_texture[0]),
+              1e-12);
+  EXPECT_NEAR(double(((1 - r) * l[0] * texture[0].y + r * l[2] * texture[2].y) / qa), double(in_texture[1]),
+              1e-12);
 }
 
 TEST(Projective, DrawsTheHomography) {
@@ -105,8 +111,8 @@ TEST(Projective, DrawsTheHomography) {
 }
 
 TEST(Projective, FallsBackToBilinearWhereNoMapIsValid) {
-  for (Kind kind : {Kind::kConcave, Kind::kBowTie, Kind::kNonPlanar, Kind::kFoldedTexture, Kind::kTextureCollinear,
-                    Kind::kOneDimensional, Kind::kEqualCorners}) {
+  for (Kind kind : {Kind::kConcave, Kind::kBowTie, Kind::kNonPlanar, Kind::kFoldedTexture,
+                    Kind::kTextureCollinear, Kind::kOneDimensional, Kind::kEqualCorners}) {
     for (unsigned trial = 0; trial < 300; ++trial) {
       const Quad quad = random_quad(kind, trial);
       Plan& plan = scratch_plan();

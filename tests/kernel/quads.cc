@@ -107,18 +107,44 @@ Matrix rotation(Random& random) {
   length = std::sqrt(length) + 1e-9;
   for (double& c : q) c /= length;
   const double w = q[0], x = q[1], y = q[2], z = q[3];
-  return {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
-          2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
-          2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0,
-          0, 0, 0, 1};
+  return {1 - 2 * (y * y + z * z),
+          2 * (x * y + z * w),
+          2 * (x * z - y * w),
+          0,
+          2 * (x * y - z * w),
+          1 - 2 * (x * x + z * z),
+          2 * (y * z + x * w),
+          0,
+          2 * (x * z + y * w),
+          2 * (y * z - x * w),
+          1 - 2 * (x * x + y * y),
+          0,
+          0,
+          0,
+          0,
+          1};
 }
 
 Matrix translation(double x, double y, double z) { return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}; }
 
 // glFrustum's matrix, symmetric.
 Matrix perspective(double slope, double aspect, double near, double far) {
-  return {1 / (slope * aspect), 0, 0, 0, 0, 1 / slope, 0, 0,
-          0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0};
+  return {1 / (slope * aspect),
+          0,
+          0,
+          0,
+          0,
+          1 / slope,
+          0,
+          0,
+          0,
+          0,
+          -(far + near) / (far - near),
+          -1,
+          0,
+          0,
+          -2 * far * near / (far - near),
+          0};
 }
 
 float single(double x) { return float(x); }
@@ -132,9 +158,10 @@ Matrix identity() { return translation(0, 0, 0); }
 }  // namespace
 
 std::string name(Kind kind) {
-  static const char* const names[] = {"Convex", "UnitTexture", "Concave", "BowTie", "NonPlanar", "NearlyAffine",
-                                      "EqualCorners", "Collinear", "BehindEye", "Steep", "Scaled", "TextureFar",
-                                      "FoldedTexture", "TextureCollinear", "OneDimensional", "Homogeneous"};
+  static const char* const names[] = {
+      "Convex",        "UnitTexture",      "Concave",        "BowTie",     "NonPlanar", "NearlyAffine",
+      "EqualCorners",  "Collinear",        "BehindEye",      "Steep",      "Scaled",    "TextureFar",
+      "FoldedTexture", "TextureCollinear", "OneDimensional", "Homogeneous"};
   return names[int(kind)];
 }
 
@@ -151,9 +178,15 @@ Quad random_quad(Kind kind, unsigned trial) {
   quad.texture = corners(convex(random));
   quad.position = corners(convex(random));
   switch (kind) {
-    case Kind::kUnitTexture: quad.texture = kUnitSquare; break;
-    case Kind::kConcave: quad.position = corners(concave(random)); break;
-    case Kind::kBowTie: quad.position = corners(bow_tie(random)); break;
+    case Kind::kUnitTexture:
+      quad.texture = kUnitSquare;
+      break;
+    case Kind::kConcave:
+      quad.position = corners(concave(random));
+      break;
+    case Kind::kBowTie:
+      quad.position = corners(bow_tie(random));
+      break;
     case Kind::kNonPlanar:
       for (Vec4& p : quad.position) p.z = random.in(-0.5, 0.5);
       break;
@@ -165,16 +198,23 @@ Quad random_quad(Kind kind, unsigned trial) {
       quad.texture[random.below(4)].y -= size;
       break;
     }
-    case Kind::kEqualCorners: quad.position = corners(equal_corners(random)); break;
-    case Kind::kCollinear: quad.position = corners(collinear(random)); break;
-    case Kind::kFoldedTexture: quad.texture = corners(random.one_in(2) ? concave(random) : bow_tie(random)); break;
+    case Kind::kEqualCorners:
+      quad.position = corners(equal_corners(random));
+      break;
+    case Kind::kCollinear:
+      quad.position = corners(collinear(random));
+      break;
+    case Kind::kFoldedTexture:
+      quad.texture = corners(random.one_in(2) ? concave(random) : bow_tie(random));
+      break;
     case Kind::kTextureCollinear:
       quad.texture = corners(random.one_in(2) ? collinear(random) : equal_corners(random));
       break;
     case Kind::kOneDimensional:
       for (Vec4& p : quad.texture) p.y = 0;
       break;
-    default: break;
+    default:
+      break;
   }
   if (kind == Kind::kTextureFar) {
     const double s = random.in(-9000, 9000), t = random.in(-9000, 9000), repeat = random.log_in(1, 2000);
@@ -182,7 +222,8 @@ Quad random_quad(Kind kind, unsigned trial) {
   }
 
   const double width = std::floor(random.log_in(16, 16384)), height = std::floor(width * random.in(0.4, 1.6));
-  quad.view.viewport = {std::floor(random.in(0, 50)), std::floor(random.in(0, 50)), width, std::max(height, 1.0)};
+  quad.view.viewport = {std::floor(random.in(0, 50)), std::floor(random.in(0, 50)), width,
+                        std::max(height, 1.0)};
   quad.view.snap_px = random.one_in(2) ? 0 : 1.0 / 256;
   quad.tolerance_px = random.log_in(0.1, 2);
 
@@ -194,13 +235,15 @@ Quad random_quad(Kind kind, unsigned trial) {
     // Seen along its plane, from close to it, and long.
     const double tilt = random.log_in(1e-3, 0.3);
     model = product(rotation(random), identity());
-    model = {1, 0, 0, 0, 0, std::sin(tilt), -std::cos(tilt), 0, 0, std::cos(tilt), std::sin(tilt), 0, 0, 0, 0, 1};
+    model = {1, 0, 0, 0, 0, std::sin(tilt), -std::cos(tilt), 0, 0, std::cos(tilt), std::sin(tilt),
+             0, 0, 0, 0, 1};
     distance = random.in(0.9, 1.3);
   }
   const bool flat = kind != Kind::kBehindEye && kind != Kind::kSteep && random.one_in(3);
   if (flat) {
     // A window's own coordinates, as a picture program has them.
-    quad.view.clip_from_object = product(translation(random.in(-0.3, 0.3), random.in(-0.3, 0.3), 0), identity());
+    quad.view.clip_from_object =
+        product(translation(random.in(-0.3, 0.3), random.in(-0.3, 0.3), 0), identity());
   } else {
     const double near = kind == Kind::kSteep ? 0.002 : 0.05;
     quad.view.clip_from_object =

@@ -7,8 +7,8 @@ namespace truequad::test {
 namespace {
 
 TEST(Reference, TheInverseUndoesTheBilinearMap) {
-  for (Kind kind : {Kind::kConvex, Kind::kUnitTexture, Kind::kConcave, Kind::kBowTie, Kind::kSteep, Kind::kNonPlanar,
-                    Kind::kTextureFar, Kind::kHomogeneous}) {
+  for (Kind kind : {Kind::kConvex, Kind::kUnitTexture, Kind::kConcave, Kind::kBowTie, Kind::kSteep,
+                    Kind::kNonPlanar, Kind::kTextureFar, Kind::kHomogeneous}) {
     for (unsigned trial = 0; trial < 2000; ++trial) {
       const Quad quad = random_quad(kind, trial);
       std::mt19937 engine(trial);
@@ -17,12 +17,12 @@ TEST(Reference, TheInverseUndoesTheBilinearMap) {
       const auto clip = reference::clip_corners(quad.position, quad.view);
       const auto window = reference::window_point(clip, quad.view, u, v);
       if (!window) continue;
-      const auto at = [&](double Vec4::* of) {
+      const auto at = [&](double Vec4::*of) {
         const Corners& t = quad.texture;
         return interpolate<reference::Real>(t[0].*of, t[1].*of, t[2].*of, t[3].*of, u, v);
       };
-      EXPECT_LE(reference::bilinear_displacement(quad.position, quad.texture, quad.view, *window, at(&Vec4::x),
-                                                 at(&Vec4::y)),
+      EXPECT_LE(reference::bilinear_displacement(quad.position, quad.texture, quad.view, *window,
+                                                 at(&Vec4::x), at(&Vec4::y)),
                 1e-9L * quad.view.viewport.width)
           << name(kind) << " " << trial;
     }

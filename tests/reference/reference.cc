@@ -46,7 +46,8 @@ Solution polish(const Bilinear& f, const Bilinear& g, Solution x) {
 
 }  // namespace
 
-std::vector<Solution> solve_bilinear(const std::array<Real, 4>& f_corner, const std::array<Real, 4>& g_corner) {
+std::vector<Solution> solve_bilinear(const std::array<Real, 4>& f_corner,
+                                     const std::array<Real, 4>& g_corner) {
   const Bilinear f(f_corner), g(g_corner);
   std::vector<Solution> candidates;
   // f = (c + a u) + v (b + k u), the same for g: their determinant is a quadratic in u. Likewise in v.
@@ -120,8 +121,8 @@ std::optional<Point> window_point(const std::array<ClipCorner, 4>& clip, const V
                view.viewport.y + half_height(view) * (1 + p[1] / p[3])};
 }
 
-Real bilinear_displacement(const Corners& position, const Corners& texture, const View& view, Point drawn, Real s,
-                           Real t, Real slack) {
+Real bilinear_displacement(const Corners& position, const Corners& texture, const View& view, Point drawn,
+                           Real s, Real t, Real slack) {
   std::array<Real, 4> f, g;
   for (std::size_t i = 0; i < 4; ++i) {
     f[i] = texture[i].x / Real(texture[i].w) - s;
@@ -138,7 +139,8 @@ Real bilinear_displacement(const Corners& position, const Corners& texture, cons
   return nearest;
 }
 
-Real bilinear_displacement_1d(const Corners& position, const Corners& texture, const View& view, Point drawn, Real s) {
+Real bilinear_displacement_1d(const Corners& position, const Corners& texture, const View& view, Point drawn,
+                              Real s) {
   std::array<Real, 4> corner;
   for (std::size_t i = 0; i < 4; ++i) corner[i] = texture[i].x / Real(texture[i].w) - s;
   const Bilinear f(corner);
@@ -174,8 +176,8 @@ Real bilinear_displacement_1d(const Corners& position, const Corners& texture, c
   return nearest;
 }
 
-std::optional<Seen> bilinear_at(const Corners& position, const Corners& texture, const View& view, Point window,
-                                Real slack) {
+std::optional<Seen> bilinear_at(const Corners& position, const Corners& texture, const View& view,
+                                Point window, Real slack) {
   const auto clip = clip_corners(position, view);
   const Real x = (window.x - view.viewport.x) / half_width(view) - 1;
   const Real y = (window.y - view.viewport.y) / half_height(view) - 1;
