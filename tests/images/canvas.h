@@ -1,0 +1,9 @@
+// A place to draw into with OpenGL: one drawing program for each window-system interface has its own.
+#pragma once
+
+namespace truequad::images {
+
+// Makes a context current that draws into `width` × `height` pixels, or ends the process with a message.
+void open_canvas(int width, int height);
+
+}  // namespace truequad::images

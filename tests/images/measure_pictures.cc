@@ -1,0 +1,103 @@
+#include "measure_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "truequad_reference/reference.h"
+
+namespace truequad::images {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+truequad::Mode mode_of(const std::string& name) {
+  if (name == "projective") return truequad::Mode::kProjective;
+  if (name == "auto") return truequad::Mode::kAuto;
+  if (name == "paper") return truequad::Mode::kPaper;
+  if (name == "off") return truequad::Mode::kOff;
+  return truequad::Mode::kBilinear;
+}
+
+}  // namespace
+
+Promise promise_of(const DrawnQuad& quad, const Settings& settings) {
+  static Plan plan;
+  Limits limits;
+  limits.tolerance_px = settings.tolerance_px;
+  truequad::plan(quad.position, {&quad.texture, 1}, quad.view, limits, mode_of(settings.mode), plan);
+  Promise promise;
+  promise.corrected = plan.action != Action::kPass;
+  promise.capped = plan.capped;
+  // A program's own right q's make a homography, which the bilinear map of (s/q, t/q) is not.
+  const auto& t = quad.texture;
+  const bool own_q = std::any_of(t.begin(), t.end(), [&](const Vec4& corner) { return corner.w != t[0].w; });
+  promise.projective = plan.action == Action::kProject || (own_q && plan.reason == PassReason::kAffine);
+  const bool exact = plan.reason == PassReason::kAffine || plan.reason == PassReason::kWithinTolerance;
+  promise.measurable = (promise.corrected || exact) && std::isfinite(plan.bound_px);
+  promise.bound_px = promise.measurable ? plan.bound_px : kInfinity;
+  return promise;
+}
+
+double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel) {
+  const reference::Point centre{x, y};
+  double nearest = kInfinity;
+  for (const int i : {0, -1, 1}) {
+    for (const int j : {0, -1, 1}) {
+      const double s = texel.s + i * kCoordinateStep / 2, t = texel.t + j * kCoordinateStep / 2;
+      // Texels beyond the border by less than the step are still the border's.
+      constexpr double kBeyond = 1e-3;
+      const auto found = projective
+                             ? reference::ProjectiveMap(quad.position, quad.texture, quad.view).displacement(centre, s, t)
+                             : reference::bilinear_displacement(quad.position, quad.texture, quad.view, centre, s, t,
+                                                                kBeyond);
+      nearest = std::min(nearest, double(found));
+    }
+    if (i == 0 && nearest < 1.0 / 64) break;  // far below every tolerance: no need to look closer
+  }
+  return nearest;
+}
+
+Measurement measure(const Job& job, const Pictures& pictures, const Settings& settings) {
+  Measurement result;
+  const double snap_px = std::ldexp(1.0, -pictures.header.subpixel_bits);
+  for (int trial = 0; trial < job.seeds; ++trial) {
+    const unsigned seed = job.first + unsigned(trial);
+    const Scene scene = family(job.family).make(seed, job.width, job.height);
+    const auto quads = quads_of(scene, snap_px);
+    std::vector<Promise> promises;
+    for (const DrawnQuad& quad : quads) {
+      promises.push_back(promise_of(quad, settings));
+      ++result.quads;
+      result.corrected += promises.back().corrected;
+      result.capped += promises.back().capped;
+      result.unmeasured += !promises.back().measurable;
+    }
+    for (int y = 0; y < job.height; ++y) {
+      for (int x = 0; x < job.width; ++x) {
+        const auto texel = texel_at(pictures, trial, x, y);
+        if (!texel) continue;
+        const auto seen = std::find_if(quads.begin(), quads.end(), [&](const DrawnQuad& q) { return q.mark == texel->mark; });
+        if (seen == quads.end()) {
+          ADD_FAILURE() << job.family << " seed " << seed << ": pixel " << x << "," << y << " has mark " << texel->mark;
+          return result;
+        }
+        const Promise& promise = promises[std::size_t(seen - quads.begin())];
+        if (!promise.measurable) continue;
+        ++result.pixels;
+        const double found_px = displacement_px(*seen, promise.projective, x + 0.5, y + 0.5, *texel);
+        const double ratio = found_px / (promise.capped ? promise.bound_px : settings.tolerance_px);
+        result.largest_px = std::max(result.largest_px, found_px);
+        if (ratio > result.worst_ratio) {
+          result.worst_ratio = ratio;
+          result.worst_seed = seed;
+        }
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace truequad::images
