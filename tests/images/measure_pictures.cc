@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "truequad_reference/reference.h"
 
@@ -43,19 +44,19 @@ Promise promise_of(const DrawnQuad& quad, const Settings& settings) {
 
 double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel) {
   const reference::Point centre{x, y};
-  double nearest = kInfinity;
-  for (const int i : {0, -1, 1}) {
-    for (const int j : {0, -1, 1}) {
-      const double s = texel.s + i * kCoordinateStep / 2, t = texel.t + j * kCoordinateStep / 2;
-      // Texels beyond the border by less than the step are still the border's.
-      constexpr double kBeyond = 1e-3;
-      const auto found = projective
-                             ? reference::ProjectiveMap(quad.position, quad.texture, quad.view).displacement(centre, s, t)
-                             : reference::bilinear_displacement(quad.position, quad.texture, quad.view, centre, s, t,
-                                                                kBeyond);
-      nearest = std::min(nearest, double(found));
-    }
-    if (i == 0 && nearest < 1.0 / 64) break;  // far below every tolerance: no need to look closer
+  std::optional<reference::ProjectiveMap> map;
+  if (projective) map.emplace(quad.position, quad.texture, quad.view);
+  const auto distance = [&](double s, double t) {
+    // Texels beyond the border by less than the step are still the border's.
+    constexpr double kBeyond = 1e-3;
+    return double(map ? map->displacement(centre, s, t)
+                      : reference::bilinear_displacement(quad.position, quad.texture, quad.view, centre, s, t, kBeyond));
+  };
+  double nearest = distance(texel.s, texel.t);
+  constexpr double kFarBelowTolerances_px = 1e-3;
+  for (int place = 0; place < 9 && nearest > kFarBelowTolerances_px; ++place) {
+    const double s = texel.s + (place / 3 - 1) * kCoordinateStep / 2, t = texel.t + (place % 3 - 1) * kCoordinateStep / 2;
+    nearest = std::min(nearest, distance(s, t));
   }
   return nearest;
 }
