@@ -1,0 +1,43 @@
+// What is known of each GL context: found by its handle when it is made current, never on the vertex path.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "driver/driver.h"
+
+namespace truequad {
+
+// What a context can be asked without raising an error. Read once, outside Begin/End, when first needed.
+struct Caps {
+  bool supported = false;  // a compatibility context that we can query
+  int version = 0;         // 10 * major + minor
+  bool multitexture_core = false, secondary_color_core = false, fog_coord_core = false;  // else ARB or EXT names
+  bool multitexture = false, secondary_color = false, fog_coord = false;
+  bool texture_3d = false, cube_map = false, rectangle = false;
+  bool glsl = false, glsl_arb = false, pipelines = false;
+  bool vertex_program = false, fragment_program = false, nv_fragment_program = false;
+  bool ati_fragment_shader = false, ext_vertex_shader = false, nv_texture_shader = false;
+  bool feedback_objects = false, primitive_queries = false, statistics_queries = false;
+  bool provoking_vertex = false;
+  bool quads_follow_provoking = false;
+  unsigned texture_units = 1;   // that have texture enables and generation
+  unsigned texture_coords = 1;  // that have current coordinates
+  double snap_px = 0;           // of the rasteriser's grid
+  std::uint32_t extensions = 0;  // bit i: kExtensions[i] is advertised
+};
+
+// Never raises an error: the version decides what is asked. Must be called outside Begin/End.
+Caps read_caps(const Driver& driver);
+
+struct ContextRecord {
+  const void* handle = nullptr;
+  ContextRecord* next = nullptr;
+  int users = 0;  // threads in which it is current
+  std::atomic<bool> destroyed{false};
+  bool caps_read = false;
+  bool inside = false, list_open = false;  // while it is not current
+  Caps caps;
+};
+
+}  // namespace truequad

@@ -1,0 +1,326 @@
+// The states of a primitive between glBegin and glEnd: "write through, then cut" (docs/semantics.md).
+//
+// Open: calls are forwarded at once, and the vertex that completes a quad is looked at first. If the quad may need
+// correction, the driver's Begin is cut: "if a quad is begun but not completed, the extra vertices are ignored"
+// (GL 2.1 section 2.6.1), so glEnd drops exactly the vertices that we still have. Held: nothing is forwarded until a
+// quad turns out not to need correction.
+#include <pthread.h>
+
+#include <cstring>
+#include <new>
+
+#include "capture/capture.h"
+#include "capture/draw.h"
+#include "capture/replay.h"
+#include "capture/state.h"
+#include "kernel/affine_fast.h"
+
+namespace truequad {
+namespace {
+
+// A primitive of n vertices has all quads that GL makes of it (GL 2.1 section 2.6.1); a polygon is one with four.
+constexpr bool captured_mode(GLenum mode) { return mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON; }
+
+void set_state(Capture& c, State state) {
+  c.state = state;
+  c.forwarding = state != State::kHeld;
+}
+
+void pass(Capture& c, Reason reason) {
+  c.counters.pass(reason);
+  if (reason == Reason::kDisplayList) c.counters.listed.add(1);
+}
+
+Quad completed_quad(const Capture& c) {
+  if (c.mode != GL_QUAD_STRIP) return {{0, 1, 2, 3}};
+  // Vertices v0 v1 v2 v3 of a strip make the quad v0 v1 v3 v2 (GL 2.1 figure 2.4).
+  return c.due == 3 ? Quad{{0, 1, 3, 2}} : Quad{{2, 3, 1, 0}};
+}
+
+bool same_value(const Capture& c, Slot slot, unsigned a, unsigned b) {
+  return c.row[slot][a] == c.row[slot][b] && !std::memcmp(&c.at[slot][a], &c.at[slot][b], sizeof(Float4)) &&
+         (!(c.raw_kept & bit(slot)) || !std::memcmp(&c.raw[slot][a], &c.raw[slot][b], sizeof(Raw)));
+}
+bool now_is(const Capture& c, Slot slot, unsigned place) {
+  return c.now_row[slot] == c.row[slot][place] && !std::memcmp(&c.now[slot], &c.at[slot][place], sizeof(Float4)) &&
+         (!(c.raw_kept & bit(slot)) || !std::memcmp(&c.now_raw[slot], &c.raw[slot][place], sizeof(Raw)));
+}
+
+// Held to open: the program's glBegin, the vertices of the window, and what was set after the last of them.
+void materialise(Capture& c) {
+  close_mesh(c);
+  c.driver->Begin(c.mode);
+  c.began = true;
+  set_state(c, State::kOpen);
+  const WindowOrder window = window_order(c);
+  SlotMask known = 0;
+  unsigned previous = 0;
+  for (unsigned i = 0; i < window.count; ++i) {
+    const unsigned place = window[i];
+    for_each_slot(c.present[place], [&](Slot slot) {
+      if (!(known & bit(slot)) || !same_value(c, slot, place, previous)) replay_at(c, slot, place);
+    });
+    replay_at(c, kPosition, place);
+    known = c.present[place];
+    previous = place;
+  }
+  for_each_slot(c.live, [&](Slot slot) {
+    if (!(known & bit(slot)) || !now_is(c, slot, previous)) replay_now(c, slot);
+  });
+}
+
+// Open to held.
+void cut(Capture& c) {
+  c.driver->End();
+  c.counters.flushes.add(1);
+  set_state(c, State::kHeld);
+}
+
+Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) {
+    const float(&x)[4] = c.at[slot][quad.corner[i]].at;
+    corners[i] = {x[0], x[1], x[2], x[3]};
+  }
+  return corners;
+}
+
+bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
+  static_assert(sizeof(Float4) == sizeof(float[4]));
+  float position[4][4], coordinates[4][4];
+  for (int i = 0; i < 4; ++i) {
+    std::memcpy(position[i], c.at[kPosition][quad.corner[i]].at, sizeof position[i]);
+    std::memcpy(coordinates[i], c.at[texture][quad.corner[i]].at, sizeof coordinates[i]);
+  }
+  return truequad::surely_affine(position, coordinates);
+}
+
+// Looks at the quad alone. kNone: the textures of `warped` (slots) show its diagonal.
+Reason judge(Capture& c, const Quad& quad, SlotMask& warped) {
+  const SlotMask textures = c.live & kTextureSlots;
+  if (!textures) return Reason::kNoTextureVaries;
+  SlotMask open_question = 0;
+  for_each_slot(textures, [&](Slot slot) {
+    if (!surely_affine(c, slot, quad)) open_question |= bit(slot);
+  });
+  if (!open_question) return Reason::kAffine;
+
+  const Corners position = corners_of(c, kPosition, quad);
+  Reason reason = Reason::kAffine;
+  warped = 0;
+  for (SlotMask rest = open_question; rest; rest &= rest - 1) {
+    const Slot slot = Slot(std::countr_zero(rest));
+    const Corners texture[] = {corners_of(c, slot, quad)};
+    switch (classify(position, texture)) {
+      case Shape::kNotFinite: return Reason::kNotFinite;
+      case Shape::kDegenerate: reason = Reason::kDegenerate; break;
+      case Shape::kConstant:
+        if (open_question == textures) reason = Reason::kNoTextureVaries;
+        break;
+      case Shape::kAffine: break;
+      case Shape::kWarped: warped |= bit(slot); break;
+    }
+  }
+  return warped ? Reason::kNone : reason;
+}
+
+// Decides on the completed quad, draws it if it needs correction, counts it. True: forward its last vertex; then the
+// capture is open or passive. False: the driver has the quad; held if it was corrected, else open.
+bool settle(Capture& c, const Quad& quad) {
+  ++c.quads;
+  if (c.state == State::kPassive) {
+    pass(c, c.passive_reason);
+    return true;
+  }
+  if (c.state == State::kHeld) fill_absent(c, quad, c.live & kTextureSlots);
+  SlotMask warped = 0;
+  Reason reason = judge(c, quad, warped);
+  if (reason == Reason::kNone && c.view_read) reason = c.view.pass;
+  if (reason == Reason::kNone) {
+    if (c.state == State::kOpen) cut(c);
+    reason = correct(c, quad, warped);
+    if (reason == Reason::kNone) {
+      c.corrected = true;
+      return false;
+    }
+  }
+  pass(c, reason);
+  if (c.state == State::kOpen) return true;
+  materialise(c);
+  return false;
+}
+
+// A vertex of a polygon at place 3 or later. Polygons start held: four vertices can still become more.
+bool polygon_vertex(Capture& c) {
+  if (c.next == 4) {
+    c.due = 4;
+    return c.forwarding;
+  }
+  // The fifth and further ones: no quad. The new vertex is in place 4, and goes out with the others.
+  const bool held = c.state == State::kHeld;
+  if (held) materialise(c);
+  set_state(c, State::kPassive);
+  c.live = ~SlotMask(0);
+  c.next = 4;  // further vertices overwrite it
+  c.quads = 1;  // one shape, and not ours: nothing is left to count
+  return !held;
+}
+
+// A window that ends here as an incomplete quad, dropped by GL.
+bool leftover(const Capture& c) {
+  const unsigned count = window_order(c).count;
+  if (c.mode == GL_QUAD_STRIP) return c.quads > 0 ? count > 2 : count > 0;
+  return c.mode == GL_QUADS && count > 0;
+}
+
+
+// A thread's capture lives as long as the thread.
+void free_capture(void* own) {
+  Capture* c = static_cast<Capture*>(own);
+  // Other destructors of this thread may still use GL.
+  entry.own = nullptr;
+  entry.active = nullptr;
+  stats_detach(c->counters);
+  free_scratch(c->scratch);
+  delete c;
+}
+
+Capture* allocate_capture(Entry& e) {
+  static pthread_key_t key;
+  static const bool key_exists = ::pthread_key_create(&key, free_capture) == 0;
+  Capture* c = new (std::nothrow) Capture;
+  if (!c) return nullptr;
+  c->entry = &e;
+  c->options = &options();
+  stats_engage();
+  stats_attach(c->counters);
+  if (key_exists) ::pthread_setspecific(key, c);
+  e.own = c;
+  return c;
+}
+
+// Why quads cannot be captured now; kNone: they can.
+Reason passive_reason(const Entry& e, const Options& settings) {
+  if (settings.mode == Mode::kOff) return Reason::kModeOff;
+  if (!e.context || (e.context->caps_read && !e.context->caps.supported)) return Reason::kUnknownContext;
+  if (e.list_open) return Reason::kDisplayList;
+  return Reason::kNone;
+}
+
+void start(Capture& c, const Entry& e, GLenum mode) {
+  const Reason reason = passive_reason(e, *c.options);
+  c.mode = mode;
+  c.driver = e.driver;
+  c.next = 0;
+  c.due = 3;
+  c.raw_kept = 0;
+  c.extensions_used = 0;
+  c.quads = 0;
+  c.began = c.mesh_open = c.corrected = c.view_read = false;
+  if (reason != Reason::kNone) {
+    c.passive_reason = reason;
+    c.live = ~SlotMask(0);
+    set_state(c, State::kPassive);
+  } else {
+    c.live = 0;
+    set_state(c, mode == GL_POLYGON || c.start_held ? State::kHeld : State::kOpen);
+  }
+}
+
+}  // namespace
+
+bool quad_complete(Capture& c) {
+  if (c.mode == GL_POLYGON) return polygon_vertex(c);
+  const bool forward = settle(c, completed_quad(c));
+  if (c.mode == GL_QUADS) {
+    c.next = 0;
+  } else {
+    c.next = c.due == 3 ? 0 : 2;
+    c.due ^= 2;
+  }
+  return forward;
+}
+
+void set_first(Capture& c, Slot slot) {
+  const WindowOrder window = window_order(c);
+  const SlotMask live = c.live | bit(slot);
+  // Without texture coordinates no quad is corrected: what its earlier vertices had does not matter.
+  if (c.state == State::kOpen && window.count > 0 && (live & kTextureSlots)) {
+    bool lost = false;
+    for (unsigned i = 0; i < window.count; ++i) lost |= (c.live & ~c.present[window[i]]) != 0;
+    if (lost) {
+      // The driver's value from before was overwritten by a call that was forwarded.
+      abandon(c, Reason::kUnmodelledCall);
+      return;
+    }
+    // The driver still has the value of the earlier vertices, and keeps it while we hold what follows.
+    cut(c);
+  }
+  c.live = live;
+}
+
+void abandon(Capture& c, Reason reason) {
+  if (c.state == State::kPassive) return;
+  if (c.state == State::kHeld) materialise(c);
+  c.passive_reason = reason;
+  c.live = ~SlotMask(0);
+  set_state(c, State::kPassive);
+}
+
+void begin(Entry& e, GLenum mode) {
+  if (e.active) {
+    // An error, and the primitive goes on (GL 2.1 section 2.6.3).
+    barrier(e);
+    e.driver->Begin(mode);
+    return;
+  }
+  if (captured_mode(mode) && !e.inside) {
+    const Options& settings = e.own ? *e.own->options : options();
+    if (settings.mode != Mode::kOff || settings.stats_path[0] != '\0') {
+      Capture* c = e.own ? e.own : allocate_capture(e);
+      if (c) {
+        start(*c, e, mode);
+        e.active = c;
+        e.inside = true;
+        if (c->state == State::kHeld) return;
+        c->began = true;
+      }
+    }
+  }
+  // Not inside after an unknown mode; a mode that this driver lacks makes us pass what follows, no more.
+  if (mode <= GL_PATCHES) e.inside = true;
+  e.driver->Begin(mode);
+}
+
+void end(Entry& e) {
+  Capture* const active = e.active;
+  e.active = nullptr;
+  e.inside = false;
+  if (!active) return e.driver->End();
+
+  Capture& c = *active;
+  if (c.mode == GL_POLYGON && c.next == 4 && c.quads == 0) settle(c, completed_quad(c));
+  const bool incomplete = leftover(c);
+  if (incomplete) pass(c, c.state == State::kPassive ? c.passive_reason : Reason::kIncomplete);
+  c.start_held = c.corrected;
+  if (c.state == State::kHeld) {
+    const bool unsent = window_order(c).count > 0 && c.mode == GL_POLYGON && !c.corrected;
+    if (!incomplete && !unsent && (c.corrected || c.began)) {
+      close_mesh(c);
+      // GL's current values are the program's last ones, not those of our last vertex.
+      for_each_slot(c.live, [&](Slot slot) { replay_now(c, slot); });
+      return;
+    }
+    materialise(c);
+  }
+  c.driver->End();
+}
+
+void barrier(Entry& e) {
+  if (e.active) abandon(*e.active, Reason::kUnmodelledCall);
+}
+
+void list_opened(Entry& e) { e.list_open = true; }
+void list_closed(Entry& e) { e.list_open = false; }
+
+}  // namespace truequad

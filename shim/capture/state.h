@@ -1,0 +1,98 @@
+// A thread's capture: what the program has said since glBegin, as far as it may still be needed. The window holds the
+// vertices of the quad being built (a strip: with the pair that it shares with the last one); everything older is the
+// driver's or has been drawn. So its size does not depend on the length of a primitive.
+#pragma once
+
+#include "capture/context.h"
+#include "capture/entry.h"
+#include "capture/rows.h"
+#include "capture/slots.h"
+#include "capture/stats.h"
+#include "capture/values.h"
+#include "capture/view.h"
+
+namespace truequad {
+
+struct Scratch;
+
+enum class State : std::uint8_t {
+  kOpen,     // the driver is inside the program's Begin: calls are recorded and forwarded
+  kHeld,     // it is outside (or inside our own glBegin(GL_TRIANGLES)): calls are recorded only
+  kPassive,  // calls are forwarded; quads are counted
+};
+
+// The arguments of a call whose numbers are not floats: bytes of the numbers, then of what else the call takes.
+struct alignas(16) Raw {
+  unsigned char bytes[32];
+};
+
+inline constexpr unsigned kWindow = 5;  // four corners, and one place for a polygon's further vertices
+
+struct Capture {
+  // Hot: what every attribute and vertex call touches.
+  SlotMask live = 0;        // set in this Begin; all ones while passive
+  SlotMask raw_kept = 0;    // of these: some value needs its Raw
+  std::uint32_t next = 0;   // place in the window of the next vertex
+  std::uint32_t due = 0;    // place of the vertex that completes a quad
+  State state = State::kPassive;
+  bool forwarding = true;   // calls go to the driver: state != kHeld
+  std::uint32_t extensions_used = 0;  // bit i: a call of kExtensions[i]
+
+  SlotMask present[kWindow];              // slots that were live when the vertex was given
+  RowId now_row[kSlots];                  // the call that set the value
+  RowId row[kSlots][kWindow];
+  Float4 now[kSlots];                     // its value
+  Float4 at[kSlots][kWindow];
+  Raw now_raw[kSlots];                    // its arguments, where they are not `now` itself
+  Raw raw[kSlots][kWindow];
+
+  // Cold: the primitive.
+  GLenum mode = 0;
+  Entry* entry = nullptr;
+  const Driver* driver = nullptr;
+  const Options* options = nullptr;
+  Reason passive_reason = Reason::kNone;
+  std::uint64_t quads = 0;      // completed in this Begin
+  bool began = false;           // the driver has seen a glBegin since the program's
+  bool mesh_open = false;       // the driver is inside our glBegin(GL_TRIANGLES)
+  bool corrected = false;       // something in this Begin was
+  bool view_read = false;
+  FrameView view;
+  // The thread.
+  bool start_held = false;  // the last primitive was corrected: the next one probably will be
+  Scratch* scratch = nullptr;
+  Counters counters;
+};
+
+// Corners A B C D of a quad: places in the window.
+struct Quad {
+  unsigned corner[4];
+};
+
+// The window's vertices in the order in which they came.
+struct WindowOrder {
+  unsigned count, oldest;
+  unsigned operator[](unsigned i) const { return oldest == 0 ? i : (oldest + i) & 3; }
+};
+inline WindowOrder window_order(const Capture& c) {
+  // A strip's pairs take turns in places 0 1 and 2 3.
+  if (c.mode == GL_QUAD_STRIP && c.due == 1) return {c.next + 2, 2};
+  return {c.next, 0};
+}
+
+// primitive.cc, for record.h and draw.cc.
+
+// A vertex arrived at place c.due. True: forward its call.
+bool quad_complete(Capture& c);
+// `slot` is about to be set for the first time in this Begin.
+void set_first(Capture& c, Slot slot);
+// Gives up for the rest of this Begin. Afterwards the driver has seen everything, and calls are forwarded.
+void abandon(Capture& c, Reason reason);
+// Ends our own glBegin(GL_TRIANGLES), if open: the driver is outside Begin/End then.
+inline void close_mesh(Capture& c) {
+  if (!c.mesh_open) return;
+  c.mesh_open = false;
+  c.driver->End();
+}
+
+}  // namespace truequad
