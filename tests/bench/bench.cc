@@ -1,0 +1,119 @@
+// What calls cost: quads and triangles sent in immediate mode to Mesa's driver that draws nothing (OSMesa with
+// GALLIUM_NOOP=1), so that what is left is the cost of the calls. The program knows nothing of truequad; compare.py runs it
+// without and with it.
+#include <GL/osmesa.h>
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+struct Vertex {
+  float s, t, x, y, z;
+};
+
+constexpr int kQuads = 1000;
+constexpr int kColumns = 40;
+
+void send(const Vertex& v) {
+  glTexCoord2f(v.s, v.t);
+  glVertex3f(v.x, v.y, v.z);
+}
+
+// Corners of a cell of a sheet; warped cells are trapezoids of about 16 pixels.
+std::array<Vertex, 4> cell(int index, bool warped) {
+  const int i = index % kColumns, j = index / kColumns;
+  const float size = 2.0f / kColumns, x = -1 + size * float(i), y = -1 + size * float(j);
+  const float narrow = warped ? size * 0.3f : 0;
+  return {{{0, 0, x, y, 0},
+           {1, 0, x + size, y, 0},
+           {1, 1, x + size - narrow, y + size, 0},
+           {0, 1, x + narrow, y + size, 0}}};
+}
+
+std::vector<Vertex> quads(bool warped) {
+  std::vector<Vertex> vertices;
+  for (int index = 0; index < kQuads; ++index) {
+    for (const Vertex& v : cell(index, warped)) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+std::vector<Vertex> strip(bool warped) {
+  std::vector<Vertex> vertices;
+  for (int i = 0; i <= kQuads; ++i) {
+    const float at = float(i) / kQuads;
+    const float half = warped && i % 2 ? 0.4f : 0.8f;
+    vertices.push_back({at, 0, 2 * at - 1, -half, 0});
+    vertices.push_back({at, 1, 2 * at - 1, half, 0});
+  }
+  return vertices;
+}
+
+std::vector<Vertex> triangles() {
+  std::vector<Vertex> vertices;
+  for (int index = 0; index < kQuads; ++index) {
+    const auto corners = cell(index, true);
+    for (const int i : {0, 1, 2}) vertices.push_back(corners[std::size_t(i)]);
+  }
+  return vertices;
+}
+
+// All of `vertices` in primitives of `each` vertices (0: in one). An iteration is kQuads quads or triangles.
+void run(benchmark::State& state, GLenum mode, const std::vector<Vertex>& vertices, std::size_t each) {
+  const std::size_t step = each ? each : vertices.size();
+  for (auto _ : state) {
+    for (std::size_t first = 0; first < vertices.size(); first += step) {
+      glBegin(mode);
+      for (std::size_t i = first; i < first + step; ++i) send(vertices[i]);
+      glEnd();
+    }
+  }
+}
+
+void affine_in_one(benchmark::State& state) { run(state, GL_QUADS, quads(false), 0); }
+void affine_one_by_one(benchmark::State& state) { run(state, GL_QUADS, quads(false), 4); }
+void affine_strip(benchmark::State& state) { run(state, GL_QUAD_STRIP, strip(false), 0); }
+void corrected_in_one(benchmark::State& state) { run(state, GL_QUADS, quads(true), 0); }
+void corrected_one_by_one(benchmark::State& state) { run(state, GL_QUADS, quads(true), 4); }
+void corrected_strip(benchmark::State& state) { run(state, GL_QUAD_STRIP, strip(true), 0); }
+void triangles_in_one(benchmark::State& state) { run(state, GL_TRIANGLES, triangles(), 0); }
+void triangles_one_by_one(benchmark::State& state) { run(state, GL_TRIANGLES, triangles(), 3); }
+
+BENCHMARK(affine_in_one);
+BENCHMARK(affine_one_by_one);
+BENCHMARK(affine_strip);
+BENCHMARK(corrected_in_one);
+BENCHMARK(corrected_one_by_one);
+BENCHMARK(corrected_strip);
+BENCHMARK(triangles_in_one);
+BENCHMARK(triangles_one_by_one);
+
+bool open_canvas() {
+  constexpr int kSize = 640;
+  static std::vector<unsigned char> pixels(kSize * kSize * 4);
+  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
+  if (!context || !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, kSize, kSize)) return false;
+  GLuint texture;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  const unsigned char texels[16] = {};
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  glEnable(GL_TEXTURE_2D);
+  return true;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+  if (!open_canvas()) {
+    std::fprintf(stderr, "no OSMesa context\n");
+    return 70;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}
