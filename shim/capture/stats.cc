@@ -61,7 +61,6 @@ void start_child() {
   unlock();
   for (Counters* x = threads; x; x = x->next) clear(*x);
   clear(ended);
-  engaged.store(false, std::memory_order_relaxed);
   written.store(false, std::memory_order_relaxed);
   forked.store(true, std::memory_order_relaxed);
   owner.store(::getpid(), std::memory_order_relaxed);
@@ -98,10 +97,15 @@ class Writer {
   std::size_t size_ = 0;
 };
 
-void write_json(const Counters& sum, const Options& settings, Writer& out) {
+std::uint64_t total_passed(const Counters& sum) {
   std::uint64_t passed = 0;
   for (const Counter& counter : sum.passed) passed += counter.get();
-  const std::uint64_t quads = passed + sum.corrected.get();
+  return passed;
+}
+std::uint64_t total_quads(const Counters& sum) { return total_passed(sum) + sum.corrected.get(); }
+
+void write_json(const Counters& sum, const Options& settings, Writer& out) {
+  const std::uint64_t passed = total_passed(sum), quads = total_quads(sum);
   out.text("{");
   out.field("quads", quads);
   out.field("passed", passed);
@@ -217,6 +221,9 @@ void process_ends() {
   add_to(sum, ended);
   for (const Counters* x = threads; x; x = x->next) add_to(sum, *x);
   if (locked) unlock();
+  // A child that only runs another program, or fails to, has nothing to tell.
+  const bool child = forked.load(std::memory_order_relaxed);
+  if (child && total_quads(sum) == 0) return;
 
   Writer json;
   write_json(sum, settings, json);
@@ -224,8 +231,7 @@ void process_ends() {
     write_all(STDERR_FILENO, json.all());
   } else {
     char path[Options::kPathSize + 16];
-    std::snprintf(path, sizeof path, forked.load(std::memory_order_relaxed) ? "%s.%d" : "%s", settings.stats_path,
-                  int(::getpid()));
+    std::snprintf(path, sizeof path, child ? "%s.%d" : "%s", settings.stats_path, int(::getpid()));
     if (!write_file(path, json.all())) {
       log_warning("cannot write the statistics to %s: %s", path, std::strerror(errno));
     }
