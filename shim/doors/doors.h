@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "doors/provider.h"
+#include "doors/libraries.h"
 
 #define TRUEQUAD_DOOR [[gnu::visibility("default")]]
 
@@ -15,12 +15,7 @@ void* command_door(std::string_view name);
 // Our door for a function of GLX, EGL or OSMesa, or null.
 void* window_system_door(std::string_view name);
 
-// What a getProcAddress answers: nothing where the driver has nothing, else our door if there is one.
-inline void* answer(const char* name, void* real) {
-  if (!real || !name) return real;
-  if (void* door = command_door(name)) return door;
-  if (void* door = window_system_door(name)) return door;
-  return real;
-}
+// From the first GL call on, the end of the process is noticed: exit, quick_exit, _exit and _Exit.
+void watch_exit();
 
 }  // namespace truequad

@@ -2,14 +2,9 @@
 // vertex path is one indirect call, and nothing is looked up that the program does not use.
 #include "doors/provider.h"
 
-#include <dlfcn.h>
-
-#include <array>
-#include <atomic>
-#include <cstdlib>
-
-#include "capture/capture.h"
+#include "capture/entry.h"
 #include "config/log.h"
+#include "doors/doors.h"
 
 namespace truequad {
 namespace {
@@ -25,8 +20,7 @@ struct Thunk<index, Result (*)(Parameters...)> {
   }
 };
 
-// Stands for what the driver lacks. Without us the program could not even have been linked; so it gets a call without
-// effect.
+// Stands for what the driver lacks: a call without effect, so that our exports promise nothing that could crash.
 template <typename Function>
 struct Missing;
 template <typename Result, typename... Parameters>
@@ -36,8 +30,7 @@ struct Missing<Result (*)(Parameters...)> {
 
 constexpr Driver make_thunks() {
   return Driver{
-#define TQ_COMMAND(name, result, parameters, arguments) \
-  .name = Thunk<kCommand##name, result(*) parameters>::call,
+#define TQ_COMMAND(name, result, parameters, arguments) .name = Thunk<kCommand##name, result(*) parameters>::call,
 #include "gl_commands.inc"
 #undef TQ_COMMAND
   };
@@ -66,15 +59,6 @@ constinit Driver osmesa_driver = make_thunks();
 void* const* slots(const Driver& driver) { return reinterpret_cast<void* const*>(&driver); }
 static_assert(sizeof(Driver) == kCommandCount * sizeof(void*));
 
-struct Interface {
-  const char* make_current;  // who has this has the interface
-  const char* get_proc_address;
-};
-constexpr std::array<Interface, 4> kInterfaces = {{{nullptr, nullptr},
-                                                   {"glXMakeCurrent", "glXGetProcAddressARB"},
-                                                   {"eglMakeCurrent", "eglGetProcAddress"},
-                                                   {"OSMesaMakeCurrent", "OSMesaGetProcAddress"}}};
-
 Api api_of(const Driver* driver) {
   if (driver == &glx_driver) return Api::kGlx;
   if (driver == &egl_driver) return Api::kEgl;
@@ -82,47 +66,11 @@ Api api_of(const Driver* driver) {
   return Api::kNext;
 }
 
-// The library that holds the interface, already loaded by the process.
-void* library_of(const Interface& interface) {
-  void* function = next_symbol(interface.make_current);
-  Dl_info info;
-  if (!function || !dladdr(function, &info) || !info.dli_fname) return nullptr;
-  return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD | RTLD_LOCAL);
-}
-
-// What the interface's getProcAddress says.
-void* ask(const Interface& interface, const char* name) {
-  using GetProcAddress = void* (*)(const char*);
-  const auto get = reinterpret_cast<GetProcAddress>(next_symbol(interface.get_proc_address));
-  void* function = get ? get(name) : nullptr;
-  return function && !is_ours(function) ? function : nullptr;
-}
-
-// The same name may stand in several libraries of a process (libOSMesa beside libGL): the interface's own library
-// comes first, then what it says itself, then whatever follows us.
-void* find(Api api, const char* name) {
-  if (api != Api::kNext) {
-    const Interface& interface = kInterfaces[std::size_t(api)];
-    if (void* library = library_of(interface)) {
-      void* function = dlsym(library, name);
-      dlclose(library);
-      if (function && !is_ours(function)) return function;
-    }
-    if (void* function = ask(interface, name)) return function;
-  }
-  return next_symbol(name);
-}
-
-// exit() runs this; _exit has a door of its own (process.cc).
-void register_end() {
-  static std::atomic<bool> registered = false;
-  if (!registered.exchange(true)) std::atexit(process_ends);
-}
-
 void* resolve(CommandIndex index) {
-  register_end();
+  watch_exit();
   const Driver* driver = entry.driver;
-  void* function = find(api_of(driver), kNames[index]);
+  const Api api = api_of(driver);
+  void* function = command_symbol(api, kNames[index]);
   if (!function) {
     log_warning("the driver has no %s; calls to it do nothing", kNames[index]);
     function = slots(kMissing)[index];
@@ -144,27 +92,6 @@ const Driver* driver_of(Api api) {
     case Api::kNext: break;
   }
   return &default_driver;
-}
-
-void* interface_function(Api api, const char* name) {
-  if (void* function = next_symbol(name)) return function;
-  return ask(kInterfaces[std::size_t(api)], name);
-}
-
-bool is_ours(const void* address) {
-  Dl_info theirs, ours;
-  return dladdr(address, &theirs) && dladdr(reinterpret_cast<const void*>(&is_ours), &ours) &&
-         theirs.dli_fbase == ours.dli_fbase;
-}
-
-void* next_symbol(const char* name) {
-  void* function = dlsym(RTLD_NEXT, name);
-  if (function && is_ours(function)) {
-    static std::atomic<bool> said = false;
-    if (!said.exchange(true)) log_warning("%s resolves to truequad itself; is it loaded twice?", name);
-    return nullptr;
-  }
-  return function;
 }
 
 }  // namespace truequad

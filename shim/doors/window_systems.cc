@@ -1,25 +1,28 @@
-// GLX, EGL and OSMesa: which context is current on which thread, and getProcAddress. The handles are opaque to us, so
-// no window-system header is needed; signatures: GLX 1.4, EGL 1.5, GL/osmesa.h.
+// GLX, EGL and OSMesa: which context is current on which thread, and getProcAddress. The functions are listed in
+// window_system_doors.inc.
 #include <atomic>
 
 #include "capture/capture.h"
 #include "doors/doors.h"
+#include "doors/provider.h"
 
 namespace truequad {
 namespace {
 
-// The real function behind a door, looked up once.
+// The real function behind a door, looked up once; calls to one that does not exist return zero.
 template <typename Function>
-class Real {
+class Real;
+template <typename Result, typename... Parameters>
+class Real<Result (*)(Parameters...)> {
  public:
   constexpr Real(Api api, const char* name) : api_(api), name_(name) {}
-  Function get() {
+  Result operator()(Parameters... arguments) {
     void* function = function_.load(std::memory_order_relaxed);
     if (!function) {
-      function = interface_function(api_, name_);
+      function = interface_symbol(api_, name_);
       function_.store(function, std::memory_order_relaxed);
     }
-    return reinterpret_cast<Function>(function);
+    return function ? reinterpret_cast<Result (*)(Parameters...)>(function)(arguments...) : Result();
   }
 
  private:
@@ -33,43 +36,24 @@ void settle() {
   if (entry.active) barrier(entry);
 }
 
+void made_current(Api api, const void* context) {
+  // A thread may release an API that is not the one it draws with.
+  if (!context && entry.driver != driver_of(api)) return;
+  context_made_current(entry, context, driver_of(api));
+}
+
+// What a getProcAddress answers: nothing where the driver has nothing, else our door if there is one.
+void* answer(const char* name, void* real) {
+  if (!real || !name || is_looking_up()) return real;
+  if (void* door = command_door(name)) return door;
+  if (void* door = window_system_door(name)) return door;
+  return real;
+}
+
 }  // namespace
 }  // namespace truequad
 
-// A door that only settles: `name` of type `result parameters`.
-#define TQ_SETTLING_DOOR(api, result, name, parameters, arguments)                      \
-  TRUEQUAD_DOOR result name parameters {                                           \
-    static constinit truequad::Real<result(*) parameters> real(api, #name);             \
-    truequad::settle();                                                            \
-    const auto function = real.get();                                              \
-    return function ? function arguments : result();                               \
-  }
-
-// A door that makes `context` current on this thread.
-#define TQ_MAKE_CURRENT_DOOR(api, result, name, parameters, arguments, context)                             \
-  TRUEQUAD_DOOR result name parameters {                                                                    \
-    static constinit truequad::Real<result(*) parameters> real(api, #name);                                      \
-    truequad::settle();                                                                                     \
-    const auto function = real.get();                                                                       \
-    const result done = function ? function arguments : result();                                           \
-    if (done) truequad::context_made_current(truequad::entry, context, truequad::driver_of(api));           \
-    return done;                                                                                            \
-  }
-
-// A door that destroys `context`.
-#define TQ_DESTROY_DOOR(api, result, name, parameters, arguments, context)              \
-  TRUEQUAD_DOOR result name parameters {                                           \
-    static constinit truequad::Real<result(*) parameters> real(api, #name);             \
-    truequad::settle();                                                            \
-    const auto function = real.get();                                              \
-    if (!function) return result();                                                \
-    truequad::context_destroyed(context);                                          \
-    return function arguments;                                                     \
-  }
-
-extern "C" {
-
-// The casts only discard types that these doors never look into.
+// What the signatures are made of; only the sizes matter.
 using Handle = void*;
 using Drawable = unsigned long;
 using Status = int;
@@ -77,82 +61,77 @@ using Boolean = unsigned int;
 using Enum = unsigned int;
 using Byte = unsigned char;
 
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kGlx, Status, glXMakeCurrent, (Handle display, Drawable drawable, Handle context),
-                     (display, drawable, context), context)
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kGlx, Status, glXMakeContextCurrent,
-                     (Handle display, Drawable draw, Drawable read, Handle context), (display, draw, read, context),
-                     context)
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kGlx, Status, glXMakeCurrentReadSGI,
-                     (Handle display, Drawable draw, Drawable read, Handle context), (display, draw, read, context),
-                     context)
-TQ_DESTROY_DOOR(truequad::Api::kGlx, void, glXDestroyContext, (Handle display, Handle context), (display, context), context)
-TQ_SETTLING_DOOR(truequad::Api::kGlx, void, glXSwapBuffers, (Handle display, Drawable drawable), (display, drawable))
-TQ_SETTLING_DOOR(truequad::Api::kGlx, void, glXWaitGL, (), ())
-TQ_SETTLING_DOOR(truequad::Api::kGlx, void, glXCopyContext, (Handle display, Handle source, Handle target, unsigned long mask),
-                 (display, source, target, mask))
-TQ_SETTLING_DOOR(truequad::Api::kGlx, void, glXUseXFont, (unsigned long font, int first, int count, int base), (font, first, count, base))
+#define TQ_REAL(api, result, name, parameters) \
+  static constinit truequad::Real<result(*) parameters> tq_real(truequad::Api::api, #name)
 
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kEgl, Boolean, eglMakeCurrent,
-                     (Handle display, Handle draw, Handle read, Handle context), (display, draw, read, context),
-                     context)
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kEgl, Boolean, eglReleaseThread, (), (), nullptr)
-TQ_DESTROY_DOOR(truequad::Api::kEgl, Boolean, eglDestroyContext, (Handle display, Handle context), (display, context), context)
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglTerminate, (Handle display), (display))
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglSwapBuffers, (Handle display, Handle surface), (display, surface))
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglSwapBuffersWithDamageEXT,
-                 (Handle display, Handle surface, const int* rectangles, int count),
-                 (display, surface, rectangles, count))
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglSwapBuffersWithDamageKHR,
-                 (Handle display, Handle surface, const int* rectangles, int count),
-                 (display, surface, rectangles, count))
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglWaitGL, (), ())
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglWaitClient, (), ())
-TQ_SETTLING_DOOR(truequad::Api::kEgl, Boolean, eglCopyBuffers, (Handle display, Handle surface, Handle target), (display, surface, target))
-
-TQ_MAKE_CURRENT_DOOR(truequad::Api::kOsmesa, Byte, OSMesaMakeCurrent,
-                     (Handle context, Handle buffer, Enum type, int width, int height),
-                     (context, buffer, type, width, height), context)
-TQ_DESTROY_DOOR(truequad::Api::kOsmesa, void, OSMesaDestroyContext, (Handle context), (context), context)
-
-#define TQ_GET_PROC_ADDRESS_DOOR(api, name, Name)                                      \
-  TRUEQUAD_DOOR Handle name(Name symbol) {                                        \
-    static constinit truequad::Real<Handle (*)(Name)> real(api, #name);                \
-    const auto function = real.get();                                             \
-    if (!function) return nullptr;                                                \
-    return truequad::answer(reinterpret_cast<const char*>(symbol), function(symbol)); \
+#define TQ_SETTLE(api, result, name, parameters, arguments) \
+  TRUEQUAD_DOOR result name parameters {                    \
+    TQ_REAL(api, result, name, parameters);                 \
+    truequad::settle();                                     \
+    return tq_real arguments;                               \
   }
-TQ_GET_PROC_ADDRESS_DOOR(truequad::Api::kGlx, glXGetProcAddress, const unsigned char*)
-TQ_GET_PROC_ADDRESS_DOOR(truequad::Api::kGlx, glXGetProcAddressARB, const unsigned char*)
-TQ_GET_PROC_ADDRESS_DOOR(truequad::Api::kEgl, eglGetProcAddress, const char*)
-TQ_GET_PROC_ADDRESS_DOOR(truequad::Api::kOsmesa, OSMesaGetProcAddress, const char*)
 
-}  // extern "C"
+#define TQ_MAKE_CURRENT(api, result, name, parameters, arguments, context) \
+  TRUEQUAD_DOOR result name parameters {                                   \
+    TQ_REAL(api, result, name, parameters);                                \
+    truequad::settle();                                                    \
+    const result tq_done = tq_real arguments;                              \
+    if (tq_done) truequad::made_current(truequad::Api::api, context);      \
+    return tq_done;                                                        \
+  }
+
+#define TQ_CREATE(api, name, parameters, arguments)                      \
+  TRUEQUAD_DOOR Handle name parameters {                                 \
+    TQ_REAL(api, Handle, name, parameters);                              \
+    truequad::settle();                                                  \
+    const Handle tq_context = tq_real arguments;                         \
+    if (tq_context) truequad::context_destroyed(tq_context);             \
+    return tq_context;                                                   \
+  }
+
+// Told before it happens: afterwards another thread may already have got a new context with this handle.
+#define TQ_DESTROY(api, result, name, parameters, arguments, context) \
+  TRUEQUAD_DOOR result name parameters {                              \
+    TQ_REAL(api, result, name, parameters);                           \
+    truequad::settle();                                               \
+    truequad::context_destroyed(context);                             \
+    return tq_real arguments;                                         \
+  }
+
+#define TQ_GET_PROC_ADDRESS(api, name, Name)                                            \
+  TRUEQUAD_DOOR Handle name(Name tq_name) {                                             \
+    TQ_REAL(api, Handle, name, (Name));                                                 \
+    return truequad::answer(reinterpret_cast<const char*>(tq_name), tq_real(tq_name));  \
+  }
+
+extern "C" {
+#include "doors/window_system_doors.inc"
+}
+
+#undef TQ_SETTLE
+#undef TQ_MAKE_CURRENT
+#undef TQ_CREATE
+#undef TQ_DESTROY
+#undef TQ_GET_PROC_ADDRESS
 
 namespace truequad {
 
 void* window_system_door(std::string_view name) {
   struct Door {
-    std::string_view name;
+    const char* name;
     void* function;
   };
-#define TQ_DOOR(function) {#function, reinterpret_cast<void*>(&function)}
+#define TQ_DOOR(function) {#function, reinterpret_cast<void*>(&function)},
+#define TQ_SETTLE(api, result, name, ...) TQ_DOOR(name)
+#define TQ_MAKE_CURRENT(api, result, name, ...) TQ_DOOR(name)
+#define TQ_CREATE(api, name, ...) TQ_DOOR(name)
+#define TQ_DESTROY(api, result, name, ...) TQ_DOOR(name)
+#define TQ_GET_PROC_ADDRESS(api, name, ...) TQ_DOOR(name)
   static const Door doors[] = {
-      TQ_DOOR(glXMakeCurrent),         TQ_DOOR(glXMakeContextCurrent),
-      TQ_DOOR(glXMakeCurrentReadSGI),  TQ_DOOR(glXDestroyContext),
-      TQ_DOOR(glXSwapBuffers),         TQ_DOOR(glXWaitGL),
-      TQ_DOOR(glXCopyContext),         TQ_DOOR(glXUseXFont),
-      TQ_DOOR(glXGetProcAddress),      TQ_DOOR(glXGetProcAddressARB),
-      TQ_DOOR(eglMakeCurrent),         TQ_DOOR(eglReleaseThread),
-      TQ_DOOR(eglDestroyContext),      TQ_DOOR(eglTerminate),
-      TQ_DOOR(eglSwapBuffers),         TQ_DOOR(eglSwapBuffersWithDamageEXT),
-      TQ_DOOR(eglSwapBuffersWithDamageKHR), TQ_DOOR(eglWaitGL),
-      TQ_DOOR(eglWaitClient),          TQ_DOOR(eglCopyBuffers),
-      TQ_DOOR(eglGetProcAddress),      TQ_DOOR(OSMesaMakeCurrent),
-      TQ_DOOR(OSMesaDestroyContext),   TQ_DOOR(OSMesaGetProcAddress),
+#include "doors/window_system_doors.inc"
   };
-#undef TQ_DOOR
   for (const Door& door : doors) {
-    if (door.name == name) return door.function;
+    if (name == door.name) return door.function;
   }
   return nullptr;
 }

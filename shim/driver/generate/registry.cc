@@ -50,7 +50,7 @@ Command read_command(const pugi::xml_node& node) {
   for (const pugi::xml_node& param : node.children("param")) {
     Parameter parameter{trimmed(text_of(param)), param.child_value("name")};
     if (is_keyword(parameter.name)) {
-      parameter.declaration.insert(parameter.declaration.rfind(parameter.name) + parameter.name.size(), "_");
+      parameter.declaration.insert(parameter.declaration.rfind(parameter.name) + parameter.name.size(), 1, '_');
       parameter.name += "_";
     }
     command.parameters.push_back(std::move(parameter));

@@ -1,0 +1,29 @@
+// Where real functions are found: the libraries that the process has loaded, never one that it has not.
+#pragma once
+
+namespace truequad {
+
+enum class Api : unsigned char {
+  kNext,  // no window-system interface: whatever follows us in the global scope
+  kGlx,
+  kEgl,
+  kOsmesa,
+};
+
+// The function `name` that the program would reach without us: what follows us in the global scope, else what an API's
+// library has that was loaded later (a plug-in's libGL: RTLD_NEXT of dlsym(3) does not look there). Null if there is
+// none, or if it is our own.
+void* next_symbol(Api api, const char* name);
+
+// The OpenGL command `name` of an API: of the library that has the API's MakeCurrent, else what the API's own
+// getProcAddress says, else next_symbol. The same name may stand in several libraries of one process (libOSMesa beside
+// libGL), so the order matters. Null if there is none.
+void* command_symbol(Api api, const char* name);
+
+// A function of the API itself (glX…, egl…, OSMesa…), extensions included. Null if there is none.
+void* interface_symbol(Api api, const char* name);
+
+// True while this thread looks for a real function: our getProcAddress doors then show what is behind them.
+bool is_looking_up();
+
+}  // namespace truequad
