@@ -31,10 +31,18 @@ void pass(Capture& c, Reason reason) {
   if (reason == Reason::kDisplayList) c.counters.listed.add(1);
 }
 
+// Vertices v0 v1 v2 v3 of a strip make the quad v0 v1 v3 v2 (GL 2.1 figure 2.4).
+constexpr Quad kStripQuad = {{0, 1, 3, 2}}, kOtherStripQuad = {{2, 3, 1, 0}};
+
 Quad completed_quad(const Capture& c) {
   if (c.mode != GL_QUAD_STRIP) return {{0, 1, 2, 3}};
-  // Vertices v0 v1 v2 v3 of a strip make the quad v0 v1 v3 v2 (GL 2.1 figure 2.4).
-  return c.due == 3 ? Quad{{0, 1, 3, 2}} : Quad{{2, 3, 1, 0}};
+  return c.due == 3 ? kStripQuad : kOtherStripQuad;
+}
+
+// The newer pair stays, the older one makes room.
+void next_strip_quad(Capture& c) {
+  c.next = c.due == 3 ? 0 : 2;
+  c.due ^= 2;
 }
 
 bool same_value(const Capture& c, Slot slot, unsigned a, unsigned b) {
@@ -85,8 +93,13 @@ Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
   return corners;
 }
 
-bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
+// The window's first four places, which are A B C D of GL_QUADS and GL_POLYGON.
+const float (&corner_rows(const Capture& c, Slot slot))[4][4] {
   static_assert(sizeof(Float4) == sizeof(float[4]));
+  return reinterpret_cast<const float(&)[4][4]>(c.at[slot]);
+}
+
+bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
   float position[4][4], coordinates[4][4];
   for (int i = 0; i < 4; ++i) {
     std::memcpy(position[i], c.at[kPosition][quad.corner[i]].at, sizeof position[i]);
@@ -230,13 +243,28 @@ void start(Capture& c, const Entry& e, GLenum mode) {
 }  // namespace
 
 bool quad_complete(Capture& c) {
+  // The usual quad: affine in its only texture.
+  if (c.state == State::kOpen && (c.live & kTextureSlots) == bit(kTexture)) [[likely]] {
+    if (c.mode == GL_QUADS) {
+      if (truequad::surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture))) [[likely]] {
+        c.counters.pass(Reason::kAffine);
+        c.next = 0;
+        return true;
+      }
+    } else if (surely_affine(c, kTexture, kStripQuad)) {
+      // Which pair is the older one does not matter to the test.
+      c.counters.pass(Reason::kAffine);
+      ++c.quads;
+      next_strip_quad(c);
+      return true;
+    }
+  }
   if (c.mode == GL_POLYGON) return polygon_vertex(c);
   const bool forward = settle(c, completed_quad(c));
   if (c.mode == GL_QUADS) {
     c.next = 0;
   } else {
-    c.next = c.due == 3 ? 0 : 2;
-    c.due ^= 2;
+    next_strip_quad(c);
   }
   return forward;
 }

@@ -1,5 +1,11 @@
-// record_Vertex3f, record_TexCoord2fv …: what the doors call for every row of attribute_calls.inc while a capture is
-// active. A recorder takes the call's own parameters and returns true if the door shall forward the call now.
+// record_Vertex3f, record_TexCoord2fv …: what a door does for every row of attribute_calls.inc. Each is an object with
+// two functions of the call's own parameters:
+//   call(…)            the whole door: records if a capture is active, forwards if it is to be forwarded now;
+//   operator()(c, …)   records only; true if the call is to be forwarded now.
+//
+// The usual case never calls a function but the driver's, in tail position, so that no register need be saved for it.
+// Everything else (a slot that is set first, a completed quad, a call that GL will refuse) is marked as pending and
+// done out of line.
 //
 // A number is kept twice at most: as float (for decisions and for new vertices) and, if the call took anything but
 // floats, as its bytes, so that replays have the program's own argument bits (replay.cc).
@@ -21,6 +27,16 @@ inline constexpr unsigned kRawType = 8, kRawNormalized = 12;  // of packed calls
 
 namespace recording {
 
+enum class Step : unsigned { kDrop, kForward, kPending };
+
+inline Step forward_if(bool forward) { return forward ? Step::kForward : Step::kDrop; }
+
+// One store of sixteen bytes: a vertex reads the value back at once, which from several smaller stores would stall.
+inline void store_whole(Float4& to, const Float4& value) {
+  using Vector [[gnu::vector_size(16), gnu::may_alias]] = float;
+  reinterpret_cast<Vector&>(to) = Vector{value.at[0], value.at[1], value.at[2], value.at[3]};
+}
+
 // What the components that a call does not give are (GL 2.1 section 2.7).
 inline Float4 default_value(Family family) {
   return family == Family::FogCoord || family == Family::Index || family == Family::EdgeFlag ? Float4{{0, 0, 0, 0}}
@@ -34,16 +50,19 @@ inline void note_extension(Capture& c) {
 
 // `raw_size` bytes at `raw` replace the floats in a replay; 0: the floats are the arguments.
 template <Row row, unsigned raw_size>
-inline bool attribute(Capture& c, Slot slot, const Float4& value, const void* raw) {
-  if (!(c.live & bit(slot))) [[unlikely]] set_first(c, slot);
+inline Step attribute(Capture& c, Slot slot, const Float4& value, const void* raw) {
+  if (!(c.live & bit(slot))) [[unlikely]] {
+    c.pending = slot;
+    return Step::kPending;
+  }
   note_extension<row>(c);
-  c.now[slot] = value;
+  store_whole(c.now[slot], value);
   c.now_row[slot] = row.id;
   if constexpr (raw_size > 0) {
     c.raw_kept |= bit(slot);
     std::memcpy(c.now_raw[slot].bytes, raw, raw_size);
   }
-  return c.forwarding;
+  return forward_if(c.forwarding);
 }
 
 inline void copy_slot(Capture& c, Slot slot, unsigned place) {
@@ -53,10 +72,10 @@ inline void copy_slot(Capture& c, Slot slot, unsigned place) {
 }
 
 template <Row row, unsigned raw_size>
-inline bool vertex(Capture& c, const Float4& position, const void* raw) {
+inline Step vertex(Capture& c, const Float4& position, const void* raw) {
   note_extension<row>(c);
   const unsigned place = c.next;
-  c.at[kPosition][place] = position;
+  store_whole(c.at[kPosition][place], position);
   c.row[kPosition][place] = row.id;
   if constexpr (raw_size > 0) std::memcpy(c.raw[kPosition][place].bytes, raw, raw_size);
   const SlotMask live = c.live;
@@ -67,19 +86,22 @@ inline bool vertex(Capture& c, const Float4& position, const void* raw) {
     for_each_slot(live, [&](Slot slot) { copy_slot(c, slot, place); });
   }
   c.next = place + 1;
-  if (place == c.due) return quad_complete(c);
-  return c.forwarding;
+  if (place == c.due) {
+    c.pending = kPosition;
+    return Step::kPending;
+  }
+  return forward_if(c.forwarding);
 }
 
 template <Row row, unsigned raw_size>
-inline bool store(Capture& c, Slot slot, const Float4& value, const void* raw) {
+inline Step store(Capture& c, Slot slot, const Float4& value, const void* raw) {
   if constexpr (row.family == Family::Vertex) return vertex<row, raw_size>(c, value, raw);
   else return attribute<row, raw_size>(c, slot, value, raw);
 }
 
 // Numbers given by value or, in the vector forms, by pointer.
 template <Row row, typename T>
-inline bool numbers(Capture& c, Slot slot, const T* values) {
+inline Step numbers(Capture& c, Slot slot, const T* values) {
   Float4 value = default_value(row.family);
   for (unsigned i = 0; i < row.size; ++i) value.at[i] = to_float<row.encoding, row.normalized>(values[i]);
   constexpr unsigned kRawSize = kIsPlain<row, T> ? 0 : row.size * sizeof(T);
@@ -88,13 +110,13 @@ inline bool numbers(Capture& c, Slot slot, const T* values) {
 }
 
 // GL says what is wrong with such a call, now and in its order.
-inline bool give_up(Capture& c) {
-  abandon(c, Reason::kUnmodelledCall);
-  return true;
+inline Step give_up(Capture& c) {
+  c.pending = kSlots;
+  return Step::kPending;
 }
 
 template <Row row>
-inline bool packed(Capture& c, Slot slot, GLenum type, GLboolean normalized, GLuint bits_) {
+inline Step packed(Capture& c, Slot slot, GLenum type, GLboolean normalized, GLuint bits_) {
   Float4 all, value = default_value(row.family);
   const bool small_floats = type == GL_UNSIGNED_INT_10F_11F_11F_REV;
   if (small_floats && !(row.family == Family::VertexAttribP && row.size == 3)) return give_up(c);
@@ -125,10 +147,10 @@ constexpr Row as_vertex(Row row) {
 }
 
 template <Row row, typename... Arguments>
-bool material(Capture& c, Arguments... arguments);
+Step material(Capture& c, Arguments... arguments);
 
 template <Row row, typename First, typename... Rest>
-inline bool record(Capture& c, First first, Rest... rest) {
+inline Step record(Capture& c, First first, Rest... rest) {
   constexpr Family family = row.family;
   constexpr bool kNamed = family == Family::MultiTexCoord || family == Family::VertexAttrib ||
                           family == Family::VertexAttribI || family == Family::VertexAttribL ||
@@ -196,7 +218,7 @@ inline bool record(Capture& c, First first, Rest... rest) {
 
 // glMaterial: one value for up to four slots. Anything that GL would call an error is GL's.
 template <Row row, typename... Arguments>
-inline bool material(Capture& c, Arguments... arguments) {
+inline Step material(Capture& c, Arguments... arguments) {
   return [&](GLenum face, GLenum property, auto parameter) {
     enum : unsigned { kAmbient, kDiffuse, kSpecular, kEmission, kShininess, kIndexes };
     using T = std::remove_cv_t<std::remove_pointer_t<decltype(parameter)>>;
@@ -225,29 +247,70 @@ inline bool material(Capture& c, Arguments... arguments) {
     }
     if (property == GL_SHININESS && !(value.at[0] >= 0 && value.at[0] <= 128)) return give_up(c);
 
-    bool forward = true;
+    Step step = Step::kForward;
     for (unsigned side = 0; side < 2; ++side) {
       if (face == (side == 0 ? GL_BACK : GL_FRONT)) continue;
       for (unsigned i = 0; i < count; ++i) {
         const Slot slot = kMaterial + side * kMaterialProperties + first + i;
-        forward = attribute<row, kIsPlain<row, T> ? 0 : sizeof values>(c, slot, value, values);
+        step = attribute<row, kIsPlain<row, T> ? 0 : sizeof values>(c, slot, value, values);
+        // Once the slot is live, the whole call is recorded again.
+        if (step == Step::kPending) return step;
       }
     }
-    return forward;
+    return step;
   }(arguments...);
 }
 
-template <Row row, typename Function>
-struct Recorder;
+// Does what is pending. True: forward the call.
 template <Row row, typename... Arguments>
-struct Recorder<row, void(GLAPIENTRY*)(Arguments...)> {
-  bool operator()(Capture& c, Arguments... arguments) const { return record<row>(c, arguments...); }
+bool resolve(Capture& c, Arguments... arguments) {
+  Step step;
+  do {
+    if (c.pending == kPosition) return quad_complete(c);
+    if (c.pending == kSlots) {
+      abandon(c, Reason::kUnmodelledCall);
+      return true;
+    }
+    set_first(c, c.pending);
+    step = record<row>(c, arguments...);
+  } while (step == Step::kPending);
+  return step == Step::kForward;
+}
+
+template <Row row, auto member, typename Function = std::remove_cvref_t<decltype(std::declval<Driver>().*member)>>
+struct Recorder;
+template <Row row, auto member, typename... Arguments>
+struct Recorder<row, member, void(GLAPIENTRY*)(Arguments...)> {
+  bool operator()(Capture& c, Arguments... arguments) const {
+    const Step step = record<row>(c, arguments...);
+    return step == Step::kPending ? resolve<row>(c, arguments...) : step == Step::kForward;
+  }
+
+  void call(Arguments... arguments) const {
+    Entry& e = entry;
+    if (e.active) [[unlikely]] return captured(arguments...);
+    return (e.driver->*member)(arguments...);
+  }
+
+ private:
+  [[gnu::noinline]] static void captured(Arguments... arguments) {
+    Entry& e = entry;
+    switch (record<row>(*e.active, arguments...)) {
+      case Step::kDrop: return;
+      case Step::kForward: return (e.driver->*member)(arguments...);
+      case Step::kPending: return pending(arguments...);
+    }
+  }
+  [[gnu::noinline]] static void pending(Arguments... arguments) {
+    Entry& e = entry;
+    if (resolve<row>(*e.active, arguments...)) return (e.driver->*member)(arguments...);
+  }
 };
 
 }  // namespace recording
 
 #define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_) \
-  inline constexpr recording::Recorder<kRows[kRow##Name], decltype(Driver::Name)> record_##Name{};
+  inline constexpr recording::Recorder<kRows[kRow##Name], &Driver::Name> record_##Name{};
 #include "attribute_calls.inc"
 #undef TQ_ATTRIBUTE
 

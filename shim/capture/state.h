@@ -36,6 +36,7 @@ struct Capture {
   std::uint32_t due = 0;    // place of the vertex that completes a quad
   State state = State::kPassive;
   bool forwarding = true;   // calls go to the driver: state != kHeld
+  Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, or give up
   std::uint32_t extensions_used = 0;  // bit i: a call of kExtensions[i]
 
   SlotMask present[kWindow];              // slots that were live when the vertex was given
