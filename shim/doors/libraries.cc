@@ -11,6 +11,7 @@
 #include <span>
 
 #include "config/log.h"
+#include "config/options.h"
 
 namespace truequad {
 namespace {
@@ -52,6 +53,7 @@ const void* base_of(const void* address) {
 void* unless_ours(void* function, const char* name) {
   if (!function || base_of(function) != base_of(&kInterfaces)) return function;
   static constinit std::atomic<bool> said = false;
+  options();  // whether anything shall be said
   if (!said.exchange(true)) log_warning("%s of the driver leads back to truequad; looking elsewhere", name);
   return nullptr;
 }
@@ -119,6 +121,10 @@ bool is_foreign(Api api, const void* function) {
   return false;
 }
 
+// True for what a program without a handle finds: it is ours, or of a hook before us that leads to us. (A second copy
+// of this library, and a driver that looks for itself in the global scope, would send each other round for ever.)
+bool leads_to_us(const void* function, const char* name) { return function == dlsym(RTLD_DEFAULT, name); }
+
 // What the API's getProcAddress says.
 void* ask(Api api, const char* name) {
   using GetProcAddress = void* (*)(const char*);
@@ -130,7 +136,7 @@ void* ask(Api api, const char* name) {
     looking_up = true;
     void* function = get(name);
     looking_up = outer;
-    if ((function = unless_ours(function, name))) return function;
+    if ((function = unless_ours(function, name)) && !leads_to_us(function, name)) return function;
   }
   return nullptr;
 }

@@ -4,6 +4,7 @@
 
 #include "capture/entry.h"
 #include "config/log.h"
+#include "config/options.h"
 #include "doors/doors.h"
 
 namespace truequad {
@@ -72,6 +73,7 @@ void* resolve(CommandIndex index) {
   const Api api = api_of(driver);
   void* function = command_symbol(api, kNames[index]);
   if (!function) {
+    options();  // whether anything shall be said
     log_warning("the driver has no %s; calls to it do nothing", kNames[index]);
     function = slots(kMissing)[index];
   }
