@@ -1,0 +1,125 @@
+// small_program CHECK: uses the small driver, or none, through whatever the global scope offers, and returns 0 if what
+// it saw is right. With the library preloaded every name of the registry is there.
+//   none       no driver at all: every command is called with zeros
+//   all        the small driver: every command but Begin, End and the lists' is called with zeros, twice
+//   quads      the small driver: quads that are not affine, between Begin and End
+//   contexts N the small driver: N contexts are created, made current, drawn into and destroyed; memory must not grow
+#include <dlfcn.h>
+#include <malloc.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "driver/driver.h"
+
+namespace {
+
+void* symbol(const char* name) { return dlsym(RTLD_DEFAULT, name); }
+
+template <typename Result, typename... Parameters>
+bool call_with_zeros(const char* name, Result (*)(Parameters...)) {
+  const auto function = reinterpret_cast<Result (*)(Parameters...)>(symbol(name));
+  if (!function) {
+    std::printf("%s is not there\n", name);
+    return false;
+  }
+  if constexpr (std::is_void_v<Result>) {
+    function(Parameters()...);
+  } else if (function(Parameters()...) != Result()) {
+    std::printf("%s returned something\n", name);
+    return false;
+  }
+  return true;
+}
+
+// These change what the next calls mean.
+bool stateful(const char* name) {
+  for (const char* other : {"glBegin", "glEnd", "glNewList", "glEndList"}) {
+    if (!std::strcmp(name, other)) return true;
+  }
+  return false;
+}
+
+bool call_all() {
+  bool good = true;
+#define TQ_COMMAND(name, result, parameters, arguments) \
+  good &= stateful("gl" #name) || call_with_zeros("gl" #name, static_cast<result(*) parameters>(nullptr));
+#include "gl_commands.inc"
+#undef TQ_COMMAND
+  return good;
+}
+
+// The commands as a program has them.
+struct Gl {
+#define TQ_FIND(name) decltype(truequad::Driver::name) name = reinterpret_cast<decltype(name)>(symbol("gl" #name))
+  TQ_FIND(Begin);
+  TQ_FIND(End);
+  TQ_FIND(TexCoord2f);
+  TQ_FIND(Vertex2f);
+#undef TQ_FIND
+};
+
+void draw_quad(const Gl& gl, float tip) {
+  gl.Begin(GL_QUADS);
+  gl.TexCoord2f(0, 0), gl.Vertex2f(-1, -1);
+  gl.TexCoord2f(1, 0), gl.Vertex2f(1, -1);
+  gl.TexCoord2f(1, 1), gl.Vertex2f(tip, 1);
+  gl.TexCoord2f(0, 1), gl.Vertex2f(-tip, 1);
+  gl.End();
+}
+
+struct Osmesa {
+  void* (*create)(unsigned, void*) = reinterpret_cast<decltype(create)>(symbol("OSMesaCreateContext"));
+  unsigned char (*make_current)(void*, void*, unsigned, int, int) =
+      reinterpret_cast<decltype(make_current)>(symbol("OSMesaMakeCurrent"));
+  void (*destroy)(void*) = reinterpret_cast<decltype(destroy)>(symbol("OSMesaDestroyContext"));
+};
+
+int number(const char* name) { return reinterpret_cast<int (*)()>(symbol(name))(); }
+
+bool check_quads() {
+  const Gl gl;
+  const Osmesa osmesa;
+  char picture[4];
+  if (!osmesa.make_current(osmesa.create(0, nullptr), picture, GL_UNSIGNED_BYTE, 1, 1)) return false;
+  for (int i = 0; i < 100; ++i) draw_quad(gl, i % 2 ? 1.0f : 0.5f);
+  // Every Begin of the program reached the driver, each was ended, and no quad was lost.
+  if (number("small_begins") < 100 || number("small_begins") != number("small_ends")) return false;
+  return number("small_vertices") >= 400;
+}
+
+void use_contexts(const Gl& gl, const Osmesa& osmesa, int count) {
+  char picture[4];
+  for (int i = 0; i < count; ++i) {
+    void* context = osmesa.create(0, nullptr);
+    osmesa.make_current(context, picture, GL_UNSIGNED_BYTE, 1, 1);
+    draw_quad(gl, 0.5f);
+    // Some are destroyed while they are current, some after that.
+    if (i % 2) osmesa.make_current(nullptr, nullptr, 0, 0, 0);
+    osmesa.destroy(context);
+  }
+}
+
+bool check_contexts(int count) {
+  const Gl gl;
+  const Osmesa osmesa;
+  use_contexts(gl, osmesa, 1000);
+  const std::size_t before = ::mallinfo2().uordblks;
+  use_contexts(gl, osmesa, count);
+  const std::size_t after = ::mallinfo2().uordblks;
+  std::printf("%zu bytes before, %zu after %d contexts\n", before, after, count);
+  return after <= before;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string check = argc > 1 ? argv[1] : "";
+  if (check == "none") return call_all() ? 0 : 1;
+  if (check == "all") return call_all() && call_all() ? 0 : 1;
+  if (check == "quads") return check_quads() ? 0 : 1;
+  if (check == "contexts" && argc == 3) return check_contexts(std::atoi(argv[2])) ? 0 : 1;
+  return 2;
+}
