@@ -1,90 +1,75 @@
-// Quads of every kind on texture patches of every kind, after figures 12 and 14 to 16 of Oliveira, "Correcting Texture
-// Mapping Errors Introduced by Graphics Hardware" (SIBGRAPI 2001).
-#include <array>
-#include <cmath>
+// Quadrilaterals of texture on quadrilaterals of every kind: figures 12 and 14 to 16 of Oliveira, "Correcting
+// Texture Mapping Errors Introduced by Graphics Hardware" (SIBGRAPI 2001). 12: an arbitrary quad on an
+// arbitrary patch; 14: a square in perspective one of whose vertices is dragged away in its plane; 15: a quad
+// that is not planar; 16: a quad whose patch is its own affine copy, on which nothing is wrong.
+#include <GL/gl.h>
 
-#include "common/shapes.h"
-#include "common/textures.h"
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "common/picture.h"
+#include "common/quads.h"
+#include "common/sample.h"
+#include "common/view.h"
 
 namespace {
 
-using samples::Options;
-using samples::Vertex;
+using Quad = std::array<samples::Vertex, 4>;
+
+constexpr Quad kArbitrary{{{{-230, -170, 0}, {0.1f, 0.25f}},
+                           {{250, -120, 0}, {0.875f, 0}},
+                           {{120, 180, 0}, {1, 0.75f}},
+                           {{-170, 90, 0}, {0.25f, 1}}}};
+
+constexpr Quad kDragged{
+    {{{-1, -1, 0}, {0, 0}}, {{1, -1, 0}, {1, 0}}, {{0.35f, 0.45f, 0}, {1, 1}}, {{-1, 1, 0}, {0, 1}}}};
+
+constexpr Quad kBent{
+    {{{-1, -1, 0.5f}, {0, 0}}, {{1, -1, -0.5f}, {1, 0}}, {{1, 1, 0.6f}, {1, 1}}, {{-1, 1, -0.5f}, {0, 1}}}};
+
+// Texture = position through one affine map, exact in binary: s = x / 512 + 0.5, t = y / 512 + 0.5.
+constexpr Quad affine_copy() {
+  Quad quad{{{{-224, -160, 0}, {}}, {{240, -128, 0}, {}}, {{96, 192, 0}, {}}, {{-160, 96, 0}, {}}}};
+  for (samples::Vertex& v : quad) v.texture = {v.position[0] / 512 + 0.5f, v.position[1] / 512 + 0.5f};
+  return quad;
+}
 
 class Patches : public samples::Sample {
  public:
-  std::string about() const override { return "Quadrilaterals with quadrilateral patches of a texture."; }
-
+  const char* name() const override { return "patches"; }
+  const char* description() const override {
+    return "Quadrilaterals of texture on quadrilaterals of every kind";
+  }
   void add_options(CLI::App& app) override {
-    app.add_option("--figure", figure_,
-                   "12: any quad on any patch; 14: a square in perspective, one vertex dragged; 15: not planar; "
-                   "16: quad and patch are affine copies")
+    app.add_option(
+           "--figure", figure_,
+           "12: arbitrary on arbitrary (default), 14: dragged vertex, 15: not planar, 16: affine copy")
         ->check(CLI::IsMember({12, 14, 15, 16}));
   }
+  void prepare() override { texture_ = samples::make_texture(samples::checkerboard(8, 32), GL_REPEAT); }
 
-  void start(const Options& options) override {
-    texture_ = samples::make_texture(samples::checkerboard(10), options);
-  }
-
-  void draw(const Options& options) override {
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    const float swing = std::sin(float(options.frame) / 15);
-    const double aspect = double(options.width) / options.height;
-    glMatrixMode(GL_PROJECTION);
-    if (figure_ == 12 || figure_ == 16) {
-      glOrtho(-aspect, aspect, -1, 1, -1, 1);
+  void draw(int width, int height, int frame) override {
+    const bool flat = figure_ == 12 || figure_ == 16;
+    if (flat) {
+      samples::view_in_pixels(width, height);
+      glRotatef(0.5f * float(frame), 0, 0, 1);
     } else {
-      glFrustum(-0.4 * aspect, 0.4 * aspect, -0.4, 0.4, 1, 20);
+      samples::view_in_perspective(width, height, 40, 0.1, 20);
+      glTranslatef(figure_ == 14 ? -0.15f : 0, 0, -3.8f);
+      glRotatef(figure_ == 14 ? -50 : -20, 1, 0, 0);
+      glRotatef((figure_ == 14 ? 20 : 35) + 0.5f * float(frame), 0, figure_ == 14 ? 0 : 1,
+                figure_ == 14 ? 1 : 0);
     }
-    glMatrixMode(GL_MODELVIEW);
-    switch (figure_) {
-      case 12: draw_arbitrary(swing); break;
-      case 14: draw_dragged(swing); break;
-      case 15: draw_bent(swing); break;
-      default: draw_affine(swing); break;
-    }
+    glEnable(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    samples::draw_quads(GL_QUADS, figure_ == 12   ? kArbitrary
+                                  : figure_ == 14 ? kDragged
+                                  : figure_ == 15 ? kBent
+                                                  : affine_copy());
   }
 
  private:
-  static void draw_arbitrary(float swing) {
-    samples::draw_quads({{0.08f, 0.22f, -1.05f, -0.72f + 0.1f * swing},
-                         {0.94f, 0.06f, 0.92f, -0.88f},
-                         {0.70f, 0.88f, 1.08f, 0.46f},
-                         {0.28f, 0.97f, -0.48f, 0.90f - 0.1f * swing}});
-  }
-
-  // In its own plane: what is seen is a planar quad that is no parallelogram.
-  static void draw_dragged(float swing) {
-    glTranslatef(0, 0.1f, -3.4f);
-    glRotatef(-50, 1, 0, 0);
-    glRotatef(12, 0, 0, 1);
-    samples::draw_quads({{0, 0, -1, -1}, {1, 0, 1, -1}, {1, 1, 1.7f + 0.2f * swing, 1.9f}, {0, 1, -1, 1}});
-  }
-
-  static void draw_bent(float swing) {
-    glTranslatef(0, 0, -3.6f);
-    glRotatef(-38, 1, 0, 0);
-    glRotatef(25, 0, 0, 1);
-    const float bend = 0.55f + 0.2f * swing;
-    samples::draw_quads({{0, 0, -1.1f, -1.1f, bend},
-                         {1, 0, 1.1f, -1.1f, -bend},
-                         {1, 1, 1.1f, 1.1f, bend},
-                         {0, 1, -1.1f, 1.1f, -bend}});
-  }
-
-  // A trapezoid of texture on the same trapezoid, turned, sheared and scaled.
-  static void draw_affine(float swing) {
-    constexpr std::array<std::array<float, 2>, 4> patch{{{0.125f, 0.125f}, {0.875f, 0.125f}, {0.75f, 0.875f},
-                                                          {0.375f, 0.875f}}};
-    const float shear = 0.25f + 0.125f * swing;
-    std::array<Vertex, 4> vertices;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto [s, t] = patch[i];
-      vertices[i] = {s, t, 2 * (s - 0.5f) + shear * (t - 0.5f), 2 * (t - 0.5f) - 0.25f * (s - 0.5f)};
-    }
-    samples::draw_quads(vertices);
-  }
-
   int figure_ = 12;
   GLuint texture_ = 0;
 };
@@ -93,5 +78,5 @@ class Patches : public samples::Sample {
 
 int main(int argc, char** argv) {
   Patches sample;
-  return samples::run(sample, argc, argv);
+  return samples::run(argc, argv, sample);
 }

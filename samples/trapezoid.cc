@@ -1,69 +1,69 @@
-// A checkerboard on a trapezoid, after figures 4 to 6 and 13 of Oliveira, "Correcting Texture Mapping Errors
-// Introduced by Graphics Hardware" (SIBGRAPI 2001): which way the picture kinks depends on the vertex that is given
-// first, and on the screen it matters less the smaller the trapezoid is.
-#include <cmath>
+// A checkerboard on a trapezoid: figures 4 to 6 of Oliveira, "Correcting Texture Mapping Errors Introduced by
+// Graphics Hardware" (SIBGRAPI 2001), one for each order of the vertices, since that decides along which
+// diagonal a driver cuts; and figure 13, the same at smaller and smaller projected areas (33,600 11,879 3,051
+// 795 and 197 square pixels).
+#include <GL/gl.h>
 
-#include "common/shapes.h"
-#include "common/textures.h"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "common/picture.h"
+#include "common/quads.h"
+#include "common/sample.h"
+#include "common/view.h"
 
 namespace {
 
-using samples::Options;
 using samples::Vertex;
 
-// Areas of figure 13, square pixels.
-constexpr double kAreas_px[] = {33600, 11879, 3051, 795, 197};
+// Lower and upper side and height of the trapezoid, in units of its own.
+constexpr float kLower = 2, kUpper = 0.8f, kHeight = 2;
+constexpr float kArea = (kLower + kUpper) / 2 * kHeight;
 
 class Trapezoid : public samples::Sample {
  public:
-  std::string about() const override { return "A checkerboard on a trapezoid."; }
-
+  const char* name() const override { return "trapezoid"; }
+  const char* description() const override { return "A checkerboard on a trapezoid"; }
   void add_options(CLI::App& app) override {
-    app.add_option("--order", order_, "the vertices' order: abcd (from the lower left) or bcda (from the lower right)")
-        ->check(CLI::IsMember({"abcd", "bcda"}));
-    app.add_option("--area", area_px_, "area in square pixels (33600)")->check(CLI::Range(1.0, 1e8));
-    app.add_option("--figure", figure_, "4: one trapezoid; 13: five, of the areas of the paper's figure")
-        ->check(CLI::IsMember({4, 13}));
+    app.add_option("--order", first_,
+                   "Vertex order: the quad begins at its lower left (abcd) or right (bcda) corner")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, int>{{"abcd", 0}, {"bcda", 1}}));
+    app.add_option("--area", area_px_, "Projected area in square pixels at 640x480 (33600)")
+        ->check(CLI::Range(1.0, 150000.0));
+    app.add_option("--patch", slanted_, "Part of the texture: the whole square or a slanted quadrilateral")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, bool>{{"square", false}, {"slanted", true}}));
   }
+  void prepare() override { texture_ = samples::make_texture(samples::checkerboard(8, 32), GL_REPEAT); }
 
-  void start(const Options& options) override {
-    texture_ = samples::make_texture(samples::checkerboard(8), options);
-  }
-
-  void draw(const Options& options) override {
-    glMatrixMode(GL_PROJECTION);
-    glOrtho(0, options.width, 0, options.height, -1, 1);
-    glMatrixMode(GL_MODELVIEW);
+  void draw(int width, int height, int frame) override {
+    samples::view_in_pixels(width, height);
+    glRotatef(0.5f * float(frame), 0, 0, 1);
+    glEnable(GL_TEXTURE_2D);
     glBindTexture(GL_TEXTURE_2D, texture_);
-    if (figure_ == 4) {
-      draw_one(area_px_, options.width / 2.0, options.height / 2.0);
-      return;
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    const float scale = float(std::sqrt(area_px_ / kArea));
+    glScalef(scale, scale, 1);
+    std::array<Vertex, 4> vertices{{{{-kLower / 2, -kHeight / 2, 0}, {0, 0}},
+                                    {{kLower / 2, -kHeight / 2, 0}, {1, 0}},
+                                    {{kUpper / 2, kHeight / 2, 0}, {1, 1}},
+                                    {{-kUpper / 2, kHeight / 2, 0}, {0, 1}}}};
+    if (slanted_) {
+      const std::array<std::array<float, 2>, 4> patch{{{0.125f, 0}, {1, 0.25f}, {0.75f, 1}, {0, 0.75f}}};
+      for (std::size_t i = 0; i < 4; ++i) vertices[i].texture = patch[i];
     }
-    double x = 20;
-    for (double area_px : kAreas_px) {
-      const double half = base(area_px) / 2;
-      draw_one(area_px, x + half, options.height / 2.0);
-      x += 2 * half + 16;
-    }
+    std::rotate(vertices.begin(), vertices.begin() + first_, vertices.end());
+    samples::draw_quads(GL_QUADS, vertices);
   }
 
  private:
-  // Base b, top b/2, height 3b/4: area 9/16 b^2.
-  static double base(double area_px) { return std::sqrt(area_px * 16 / 9); }
-
-  void draw_one(double area_px, double centre_x, double centre_y) const {
-    const float b = float(base(area_px)), left = float(centre_x) - b / 2, bottom = float(centre_y) - b * 3 / 8;
-    const Vertex corners[] = {{0, 0, left, bottom},
-                              {1, 0, left + b, bottom},
-                              {1, 1, left + b * 3 / 4, bottom + b * 3 / 4},
-                              {0, 1, left + b / 4, bottom + b * 3 / 4}};
-    const int first = order_ == "bcda";
-    samples::draw_quads({corners[first], corners[first + 1], corners[(first + 2) % 4], corners[(first + 3) % 4]});
-  }
-
-  std::string order_ = "abcd";
-  double area_px_ = kAreas_px[0];
-  int figure_ = 4;
+  int first_ = 0;
+  bool slanted_ = false;
+  double area_px_ = 33600;
   GLuint texture_ = 0;
 };
 
@@ -71,5 +71,5 @@ class Trapezoid : public samples::Sample {
 
 int main(int argc, char** argv) {
   Trapezoid sample;
-  return samples::run(sample, argc, argv);
+  return samples::run(argc, argv, sample);
 }

@@ -22,8 +22,8 @@ void Frames::draw(int width, int height) {
   const auto begin = std::chrono::steady_clock::now();
   glViewport(0, 0, width, height);
   // Black where coordinates are drawn: a pixel without blue was not covered.
-  const float background = now.bare() ? 0.0f : 0.55f;
-  glClearColor(background, background, background, 1);
+  const std::array<float, 3> background = now.bare() ? std::array{0.0f, 0.0f, 0.0f} : sample_.background();
+  glClearColor(background[0], background[1], background[2], 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glMatrixMode(GL_TEXTURE);
   glLoadIdentity();
@@ -38,7 +38,8 @@ void Frames::draw(int width, int height) {
   glColor3f(1, 1, 1);
   sample_.draw(now);
   glFinish();
-  times_ms_.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  times_ms_.push_back(
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
 }
 
 void Frames::write() const {

@@ -43,7 +43,8 @@ void save_png(const std::string& file, const Image& image) {
 
 Image resized(const Image& image, int width, int height) {
   Image result(width, height);
-  if (!stbir_resize_uint8(image.rgba.data(), image.width, image.height, 0, result.rgba.data(), width, height, 0, 4)) {
+  if (!stbir_resize_uint8(image.rgba.data(), image.width, image.height, 0, result.rgba.data(), width, height,
+                          0, 4)) {
     throw std::runtime_error("not enough memory to scale a picture");
   }
   return result;

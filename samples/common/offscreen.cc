@@ -35,7 +35,8 @@ int run(Sample& sample, int argc, char** argv) {
   const std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(destroy)> context(
       OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr), destroy);
   std::vector<GLubyte> buffer(std::size_t(options.width) * options.height * 4);
-  if (!context || !OSMesaMakeCurrent(context.get(), buffer.data(), GL_UNSIGNED_BYTE, options.width, options.height)) {
+  if (!context ||
+      !OSMesaMakeCurrent(context.get(), buffer.data(), GL_UNSIGNED_BYTE, options.width, options.height)) {
     complain(argv[0], "OSMesa gives no context of that size");
     return 1;
   }

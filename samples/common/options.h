@@ -7,7 +7,8 @@
 
 namespace samples {
 
-// Reads the arguments into `options` and into the sample's own; the exit status if the program has to end at once.
+// Reads the arguments into `options` and into the sample's own; the exit status if the program has to end at
+// once.
 std::optional<int> parse(Sample& sample, int argc, char** argv, Options& options);
 
 // One line on stderr, in front of it the program's name.

@@ -1,50 +1,51 @@
-// What a sample program is: options of its own, textures, and a function that draws one frame with OpenGL 1.1.
+// What every sample program is: a scene in plain OpenGL 1.1, and the options that all of them share. The
+// program draws into memory and writes a PNG, or opens a window.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace samples {
 
-// What is drawn where the sample would draw its own texture.
-enum class TextureKind {
-  kOwn,
-  // Texels that are their own coordinates: red is the first eight binary digits of s after the point, green those of
-  // t, blue is 255. With kFineCoordinates the next eight digits: the texture matrix scales by 256.
-  kCoordinates,
-  kFineCoordinates,
-};
+// Which texture the scene shows: its own, or one that tells its own coordinates, so that a picture can be
+// measured. Each pass shows eight binary digits of s in red and of t in green: coarse those above 2^-8, fine
+// those above 2^-16.
+enum class Coordinates { kNone, kCoarse, kFine };
 
-// Common command-line options.
 struct Options {
-  std::string out;    // PNG to write
-  std::string quads;  // JSON to write: every quad of the frame, and how it is seen
-  std::string data;   // folder of the pictures
+  std::string out;    // PNG to write; empty: none
+  std::string quads;  // JSON of the quads that the last frame drew; empty: none
   int width = 640, height = 480;
-  int frame = 0;
-  int repeat = 1;
-  bool time = false;
-  bool window = false;
-  TextureKind texture = TextureKind::kOwn;
-
-  // Whether the texture alone has to be seen: no light, no fog, no outlines.
-  bool bare() const { return texture != TextureKind::kOwn; }
+  int frame = 0;        // which moment of the scene
+  int repeat = 1;       // draw it so many times
+  bool time = false;    // report milliseconds per frame
+  bool window = false;  // a GLUT window instead of a picture
+  Coordinates coordinates = Coordinates::kNone;
 };
 
 class Sample {
  public:
   virtual ~Sample() = default;
-  virtual std::string about() const = 0;
-  // Options besides the common ones; a wrong value is to be refused with CLI::ValidationError.
+  virtual const char* name() const = 0;
+  virtual const char* description() const = 0;
+  // Adds the options of this scene alone.
   virtual void add_options(CLI::App&) {}
-  // A context is current: make textures. Throws std::runtime_error when the data cannot be read.
-  virtual void start(const Options&) = 0;
-  // Draws frame number options.frame into a cleared window; the viewport is set.
-  virtual void draw(const Options&) = 0;
+  // Makes textures. Called once, with the context current.
+  virtual void prepare() = 0;
+  // Draws the scene on a cleared canvas of width x height pixels, as it is at `frame`.
+  virtual void draw(int width, int height, int frame) = 0;
 };
 
-// Runs the sample with these arguments and returns the exit status: 2 for bad arguments, 1 for what cannot be read
-// or written. There are two of it, see CMakeLists.txt: off the screen (offscreen.cc), in a window (window.cc).
-int run(Sample& sample, int argc, char** argv);
+// A whole program: reads the options, shows the sample, returns the exit status (2 for bad arguments).
+int run(int argc, char** argv, Sample& sample);
+
+// Shows one frame as `options` say; there are two definitions, of which each program links one.
+int show(Sample& sample, const Options& options, char** argv);
+
+// Clears the canvas and draws one frame.
+void draw_frame(Sample& sample, const Options& options, int width, int height, int frame);
 
 }  // namespace samples

@@ -1,5 +1,5 @@
-// Quads of glBegin/glEnd, drawn with a call for each vertex, and a list of them for whoever wants to know what the
-// picture ought to show.
+// Quads of glBegin/glEnd, drawn with a call for each vertex, and a list of them for whoever wants to know
+// what the picture ought to show.
 #pragma once
 
 #include <GL/gl.h>
@@ -21,7 +21,9 @@ struct Vertex {
 
 // Four vertices a quad.
 void draw_quads(std::span<const Vertex> vertices);
-inline void draw_quads(std::initializer_list<Vertex> vertices) { draw_quads({vertices.begin(), vertices.size()}); }
+inline void draw_quads(std::initializer_list<Vertex> vertices) {
+  draw_quads({vertices.begin(), vertices.size()});
+}
 
 // Two vertices more with every quad.
 void draw_quad_strip(std::span<const Vertex> vertices);
