@@ -1,6 +1,6 @@
-// What calls cost: quads and triangles sent in immediate mode to Mesa's driver that draws nothing (OSMesa with
-// GALLIUM_NOOP=1), so that what is left is the cost of the calls. The program knows nothing of truequad; compare.py runs it
-// without and with it.
+// What calls cost: quads and triangles sent in immediate mode to Mesa's driver that draws nothing (OSMesa
+// with GALLIUM_NOOP=1), so that what is left is the cost of the calls. The program knows nothing of truequad;
+// compare.py runs it without and with it.
 #include <GL/osmesa.h>
 #include <benchmark/benchmark.h>
 

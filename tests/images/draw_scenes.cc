@@ -1,9 +1,9 @@
-// draw_scenes_API FAMILY FIRST COUNT WIDTH HEIGHT FILE: draws the scenes of COUNT seeds with immediate-mode OpenGL and
-// writes the raw pictures. A program like any other, which knows nothing of truequad.
+// draw_scenes_API FAMILY FIRST COUNT WIDTH HEIGHT FILE: draws the scenes of COUNT seeds with immediate-mode
+// OpenGL and writes the raw pictures. A program like any other, which knows nothing of truequad.
 //
-// Each scene is drawn kPasses times. In the first passes the texture holds at texel (i, j) the bytes (i, j), with the
-// texture matrix scaling by 1, 16 and 256, so that pixels tell their texture coordinates to 16 bits; the blue byte is the
-// quad's mark. The last pass adds one for each time that a pixel is touched.
+// Each scene is drawn kPasses times. In the first passes the texture holds at texel (i, j) the bytes (i, j),
+// with the texture matrix scaling by 1, 16 and 256, so that pixels tell their texture coordinates to 16 bits;
+// the blue byte is the quad's mark. The last pass adds one for each time that a pixel is touched.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 

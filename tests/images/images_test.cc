@@ -1,4 +1,5 @@
-// Pictures of a real driver with truequad: right to the tolerance, whole, and untouched where nothing is to be corrected.
+// Pictures of a real driver with truequad: right to the tolerance, whole, and untouched where nothing is to
+// be corrected.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,20 +10,25 @@
 namespace truequad::images {
 namespace {
 
-// Every check of one drawing: what was corrected is what the kernel plans for it, and every quad keeps its limit.
+// Every check of one drawing: what was corrected is what the kernel plans for it, and every quad keeps its
+// limit.
 void expect_promises_kept(const Job& job, const Settings& settings) {
-  SCOPED_TRACE(job.interface + " " + job.family + " " + settings.mode + " " + std::to_string(settings.tolerance_px));
+  SCOPED_TRACE(job.interface + " " + job.family + " " + settings.mode + " " +
+               std::to_string(settings.tolerance_px));
   const Pictures pictures = draw(job, settings);
   if (testing::Test::HasFailure()) return;
   const Measurement measured = measure(job, pictures, settings);
   EXPECT_EQ(pictures.statistics.quads, measured.quads * kPasses);
   EXPECT_EQ(pictures.statistics.corrected, measured.corrected * kPasses);
   EXPECT_EQ(pictures.statistics.capped, measured.capped * kPasses);
-  EXPECT_LE(measured.worst_ratio, 1) << "seed " << measured.worst_seed << ", largest " << measured.largest_px << " px";
+  EXPECT_LE(measured.worst_ratio, 1) << "seed " << measured.worst_seed << ", largest " << measured.largest_px
+                                     << " px";
   EXPECT_GT(measured.pixels, 0);
-  std::printf("%-8s %-15s %-10s %5.2f px: %5ld quads, %5ld corrected, %3ld capped, %4ld unmeasured, %8ld pixels, largest %.4f px\n",
-              job.interface.c_str(), job.family.c_str(), settings.mode.c_str(), settings.tolerance_px, measured.quads,
-              measured.corrected, measured.capped, measured.unmeasured, measured.pixels, measured.largest_px);
+  std::printf(
+      "%-8s %-15s %-10s %5.2f px: %5ld quads, %5ld corrected, %3ld capped, %4ld unmeasured, %8ld pixels, "
+      "largest %.4f px\n",
+      job.interface.c_str(), job.family.c_str(), settings.mode.c_str(), settings.tolerance_px, measured.quads,
+      measured.corrected, measured.capped, measured.unmeasured, measured.pixels, measured.largest_px);
 }
 
 std::string name_of(const Family& family) { return std::string(family.name); }
@@ -104,7 +110,8 @@ TEST_P(EveryInterface, KeepsASheetWhole) {
     long differing = 0;
     for (int y = 0; y < job.height; ++y) {
       for (int x = 0; x < job.width; ++x) {
-        differing += native.pixel(trial, kLayersPass, x, y)[0] != corrected.pixel(trial, kLayersPass, x, y)[0];
+        differing +=
+            native.pixel(trial, kLayersPass, x, y)[0] != corrected.pixel(trial, kLayersPass, x, y)[0];
       }
     }
     EXPECT_EQ(differing, 0) << "seed " << job.first + unsigned(trial);

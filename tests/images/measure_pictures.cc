@@ -50,12 +50,14 @@ double displacement_px(const DrawnQuad& quad, bool projective, double x, double 
     // Texels beyond the border by less than the step are still the border's.
     constexpr double kBeyond = 1e-3;
     return double(map ? map->displacement(centre, s, t)
-                      : reference::bilinear_displacement(quad.position, quad.texture, quad.view, centre, s, t, kBeyond));
+                      : reference::bilinear_displacement(quad.position, quad.texture, quad.view, centre, s, t,
+                                                         kBeyond));
   };
   double nearest = distance(texel.s, texel.t);
   constexpr double kFarBelowTolerances_px = 1e-3;
   for (int place = 0; place < 9 && nearest > kFarBelowTolerances_px; ++place) {
-    const double s = texel.s + (place / 3 - 1) * kCoordinateStep / 2, t = texel.t + (place % 3 - 1) * kCoordinateStep / 2;
+    const double s = texel.s + (place / 3 - 1) * kCoordinateStep / 2,
+                 t = texel.t + (place % 3 - 1) * kCoordinateStep / 2;
     nearest = std::min(nearest, distance(s, t));
   }
   return nearest;
@@ -80,9 +82,11 @@ Measurement measure(const Job& job, const Pictures& pictures, const Settings& se
       for (int x = 0; x < job.width; ++x) {
         const auto texel = texel_at(pictures, trial, x, y);
         if (!texel) continue;
-        const auto seen = std::find_if(quads.begin(), quads.end(), [&](const DrawnQuad& q) { return q.mark == texel->mark; });
+        const auto seen = std::find_if(quads.begin(), quads.end(),
+                                       [&](const DrawnQuad& q) { return q.mark == texel->mark; });
         if (seen == quads.end()) {
-          ADD_FAILURE() << job.family << " seed " << seed << ": pixel " << x << "," << y << " has mark " << texel->mark;
+          ADD_FAILURE() << job.family << " seed " << seed << ": pixel " << x << "," << y << " has mark "
+                        << texel->mark;
           return result;
         }
         const Promise& promise = promises[std::size_t(seen - quads.begin())];

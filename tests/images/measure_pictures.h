@@ -26,8 +26,8 @@ struct Measurement {
 // The limit of a quad is the tolerance; for one whose plan was capped it is the plan's own bound.
 Measurement measure(const Job& job, const Pictures& pictures, const Settings& settings);
 
-// Distance of a pixel's centre from the nearest place where the exact map has a texel that the pixel may show, since it
-// tells its coordinates only to within kCoordinateStep / 2.
+// Distance of a pixel's centre from the nearest place where the exact map has a texel that the pixel may
+// show, since it tells its coordinates only to within kCoordinateStep / 2.
 double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel);
 
 }  // namespace truequad::images

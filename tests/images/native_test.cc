@@ -22,13 +22,15 @@ TEST_P(Native, ShowsAffineQuadsExactly) {
       << "seed " << measured.worst_seed;
 }
 
-// docs/design.md: two triangles of a flat quad are wrong by a quarter of its twist, at the middle of the diagonal.
+// docs/design.md: two triangles of a flat quad are wrong by a quarter of its twist, at the middle of the
+// diagonal.
 TEST_P(Native, ShowsTheSeamOfATrapezoid) {
   const Job job{GetParam(), "trapezoid", 0, 20, 200, 150};
   const Pictures pictures = draw(job, std::nullopt);
   const double snap_px = std::ldexp(1.0, -pictures.header.subpixel_bits);
   for (int trial = 0; trial < job.seeds; ++trial) {
-    const DrawnQuad quad = quads_of(family(job.family).make(unsigned(trial), job.width, job.height), snap_px)[0];
+    const DrawnQuad quad =
+        quads_of(family(job.family).make(unsigned(trial), job.width, job.height), snap_px)[0];
     // The texture is a parallelogram, so the twist is that of the window positions alone.
     const auto& p = quad.position;
     const double twist_px = std::hypot((p[0].x - p[1].x + p[2].x - p[3].x) * quad.view.viewport.width / 2,

@@ -1,4 +1,5 @@
-// The file between a drawing program and the test: a header, then for each seed kPasses pictures, RGBA, bottom row first.
+// The file between a drawing program and the test: a header, then for each seed kPasses pictures, RGBA,
+// bottom row first.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,8 @@ struct PictureHeader {
   int width, height, seeds, subpixel_bits;
 };
 
-// Each pass tells the coordinates to 8 bits modulo 1 / scale; four bits of each are known from the pass before it.
+// Each pass tells the coordinates to 8 bits modulo 1 / scale; four bits of each are known from the pass
+// before it.
 inline constexpr float kPassScales[] = {1, 16, 256};
 inline constexpr int kLayersPass = 3;
 inline constexpr int kPasses = 4;

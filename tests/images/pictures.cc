@@ -42,8 +42,8 @@ class ScratchFile {
   std::string path_;
 };
 
-// The number of steps of 1 / 256 in `byte`, nearest to `about`: `about` is known to a few steps, the byte to half of one,
-// and modulo 256.
+// The number of steps of 1 / 256 in `byte`, nearest to `about`: `about` is known to a few steps, the byte to
+// half of one, and modulo 256.
 double refine(double about, int byte) { return byte + 256 * std::round((about - byte) / 256); }
 
 double coordinate(const std::array<int, 3>& digits) {
@@ -62,9 +62,12 @@ Pictures draw(const Job& job, const std::optional<Settings>& settings) {
                    "TRUEQUAD_TOLERANCE=" + std::to_string(settings->tolerance_px),
                    "TRUEQUAD_STATS=" + statistics.path()};
   }
-  const std::vector<std::string> command = {DRAW_SCENES_PREFIX + job.interface, job.family,
-                                            std::to_string(job.first),          std::to_string(job.seeds),
-                                            std::to_string(job.width),          std::to_string(job.height),
+  const std::vector<std::string> command = {DRAW_SCENES_PREFIX + job.interface,
+                                            job.family,
+                                            std::to_string(job.first),
+                                            std::to_string(job.seeds),
+                                            std::to_string(job.width),
+                                            std::to_string(job.height),
                                             file.path()};
   Pictures pictures;
   const int status = run(command, environment);
@@ -80,7 +83,8 @@ Pictures draw(const Job& job, const std::optional<Settings>& settings) {
     const auto json = nlohmann::json::parse(std::ifstream(statistics.path()), nullptr, false);
     EXPECT_TRUE(json.is_object()) << "no statistics from " << job.family;
     if (json.is_object()) {
-      pictures.statistics = {json.value("quads", -1L), json.value("corrected", -1L), json.value("capped", -1L)};
+      pictures.statistics = {json.value("quads", -1L), json.value("corrected", -1L),
+                             json.value("capped", -1L)};
     }
   }
   return pictures;

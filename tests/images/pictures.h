@@ -20,7 +20,8 @@ struct Pictures {
 
   const unsigned char* pixel(int trial, int pass, int x, int y) const {
     const std::size_t picture = std::size_t(trial) * kPasses + std::size_t(pass);
-    return bytes.data() + picture * picture_bytes(header) + (std::size_t(y) * std::size_t(header.width) + std::size_t(x)) * 4;
+    return bytes.data() + picture * picture_bytes(header) +
+           (std::size_t(y) * std::size_t(header.width) + std::size_t(x)) * 4;
   }
 };
 

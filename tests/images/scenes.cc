@@ -14,7 +14,9 @@ namespace {
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
-  float in(double low, double high) { return float(std::uniform_real_distribution<double>(low, high)(engine_)); }
+  float in(double low, double high) {
+    return float(std::uniform_real_distribution<double>(low, high)(engine_));
+  }
 
  private:
   std::mt19937 engine_;
@@ -31,15 +33,43 @@ Scene empty_scene(unsigned seed, int width, int height) {
 // glFrustum of a right angle at aspect 1, near 0.1, far 100.
 std::array<float, 16> frustum() {
   constexpr double kNear = 0.1, kFar = 100;
-  return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, float(-(kFar + kNear) / (kFar - kNear)), -1,
-          0, 0, float(-2 * kFar * kNear / (kFar - kNear)), 0};
+  return {1,
+          0,
+          0,
+          0,
+          0,
+          1,
+          0,
+          0,
+          0,
+          0,
+          float(-(kFar + kNear) / (kFar - kNear)),
+          -1,
+          0,
+          0,
+          float(-2 * kFar * kNear / (kFar - kNear)),
+          0};
 }
 
 // Turned about x, then y, then moved away from the eye.
 std::array<float, 16> turned(double about_x, double about_y, double distance) {
   const double cx = std::cos(about_x), sx = std::sin(about_x), cy = std::cos(about_y), sy = std::sin(about_y);
-  return {float(cy),      0, float(-sy),     0, float(sy * sx), float(cx), float(cy * sx), 0,
-          float(sy * cx), float(-sx), float(cy * cx), 0, 0,       0, float(-distance), 1};
+  return {float(cy),
+          0,
+          float(-sy),
+          0,
+          float(sy * sx),
+          float(cx),
+          float(cy * sx),
+          0,
+          float(sy * cx),
+          float(-sx),
+          float(cy * cx),
+          0,
+          0,
+          0,
+          float(-distance),
+          1};
 }
 
 void add_quad(Scene& scene, Mode mode, const std::array<std::array<float, 2>, 4>& position,
@@ -53,13 +83,15 @@ void add_quad(Scene& scene, Mode mode, const std::array<std::array<float, 2>, 4>
   scene.primitives.push_back(primitive);
 }
 
-constexpr std::array<std::array<float, 2>, 4> kPatch{{{0.1f, 0.1f}, {0.9f, 0.1f}, {0.9f, 0.9f}, {0.1f, 0.9f}}};
+constexpr std::array<std::array<float, 2>, 4> kPatch{
+    {{0.1f, 0.1f}, {0.9f, 0.1f}, {0.9f, 0.9f}, {0.1f, 0.9f}}};
 
 Scene trapezoid(unsigned seed, int width, int height) {
   Random random(seed);
   Scene scene = empty_scene(seed, width, height);
   const float top = random.in(0.05, 0.85), shift = random.in(-0.1, 0.1);
-  add_quad(scene, Mode::kQuads, {{{-0.95f, -0.9f}, {0.95f, -0.9f}, {top + shift, 0.9f}, {shift - top, 0.9f}}}, kPatch);
+  add_quad(scene, Mode::kQuads, {{{-0.95f, -0.9f}, {0.95f, -0.9f}, {top + shift, 0.9f}, {shift - top, 0.9f}}},
+           kPatch);
   return scene;
 }
 
@@ -81,7 +113,8 @@ Scene dragged(unsigned seed, int width, int height) {
   Scene scene = empty_scene(seed, width, height);
   scene.projection = frustum();
   scene.modelview = turned(random.in(-0.9, 0.9), random.in(-0.9, 0.9), random.in(1.8, 3));
-  add_quad(scene, Mode::kQuads, {{{-1, -1}, {1, -1}, {random.in(0, 1.6), random.in(0.1, 1.6)}, {-1, 1}}}, kPatch);
+  add_quad(scene, Mode::kQuads, {{{-1, -1}, {1, -1}, {random.in(0, 1.6), random.in(0.1, 1.6)}, {-1, 1}}},
+           kPatch);
   return scene;
 }
 
@@ -109,8 +142,8 @@ Scene near_plane(unsigned seed, int width, int height) {
   Scene scene = empty_scene(seed, width, height);
   scene.projection = frustum();
   const float floor = random.in(-0.9, -0.2), behind = random.in(0.05, 3);
-  add_quad(scene, Mode::kQuads, {{{-2, behind}, {2, behind}, {random.in(0.5, 4), -8}, {random.in(-4, -0.5), -8}}},
-           kPatch);
+  add_quad(scene, Mode::kQuads,
+           {{{-2, behind}, {2, behind}, {random.in(0.5, 4), -8}, {random.in(-4, -0.5), -8}}}, kPatch);
   for (Vertex& v : scene.primitives[0].vertices) v.position = {v.position[0], floor, v.position[1], 1};
   return scene;
 }
@@ -165,7 +198,9 @@ Scene mesh(unsigned seed, int width, int height) {
                                   -0.9f + 1.8f * j / kCells + random.in(-move, move)};
     }
   }
-  const auto texel = [](int i, int j) { return std::array{0.1f + 0.8f * i / kCells, 0.1f + 0.8f * j / kCells}; };
+  const auto texel = [](int i, int j) {
+    return std::array{0.1f + 0.8f * i / kCells, 0.1f + 0.8f * j / kCells};
+  };
   for (int j = 0; j < kCells; ++j) {
     for (int i = 0; i < kCells; ++i) {
       const int a = j * (kCells + 1) + i;
@@ -176,8 +211,8 @@ Scene mesh(unsigned seed, int width, int height) {
   return scene;
 }
 
-// Everything whose map is affine: parallelograms, a trapezoid with a trapezoid of texture, both in perspective, a strip
-// of them, a polygon, and a trapezoid with the right q's of its own.
+// Everything whose map is affine: parallelograms, a trapezoid with a trapezoid of texture, both in
+// perspective, a strip of them, a polygon, and a trapezoid with the right q's of its own.
 Scene affine(unsigned seed, int width, int height) {
   Random random(seed);
   Scene scene = empty_scene(seed, width, height);
@@ -220,8 +255,8 @@ Scene affine(unsigned seed, int width, int height) {
   return scene;
 }
 
-// The shapes of the kernel's own tests on a driver. Texture coordinates are brought into the square, which changes no
-// displacement.
+// The shapes of the kernel's own tests on a driver. Texture coordinates are brought into the square, which
+// changes no displacement.
 template <test::Kind kind>
 Scene shape(unsigned seed, int width, int height) {
   Scene scene = empty_scene(seed, width, height);
@@ -233,9 +268,10 @@ Scene shape(unsigned seed, int width, int height) {
   Primitive primitive;
   for (int i = 0; i < 4; ++i) {
     const Vec4 &p = quad.position[i], &t = quad.texture[i];
-    primitive.vertices.push_back({{float(p.x), float(p.y), float(p.z), float(p.w)},
-                                  {float(0.05 + 0.9 * (t.x - low[0]) / size), float(0.05 + 0.9 * (t.y - low[1]) / size), 0, 1},
-                                  1});
+    primitive.vertices.push_back(
+        {{float(p.x), float(p.y), float(p.z), float(p.w)},
+         {float(0.05 + 0.9 * (t.x - low[0]) / size), float(0.05 + 0.9 * (t.y - low[1]) / size), 0, 1},
+         1});
   }
   scene.primitives.push_back(primitive);
   return scene;

@@ -1,5 +1,5 @@
-// What the image tests draw, as data: the drawing programs send it to a driver, the test measures the pictures against
-// the exact maps of the same quads. The seed is the number of the trial.
+// What the image tests draw, as data: the drawing programs send it to a driver, the test measures the
+// pictures against the exact maps of the same quads. The seed is the number of the trial.
 #pragma once
 
 #include <array>

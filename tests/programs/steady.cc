@@ -1,14 +1,15 @@
-// A steady world for a program under test, to be preloaded: a clock that moves by a fixed step with every frame, a
-// fixed process id (programs seed random numbers from both), an X connection without races, and pictures of chosen
-// frames as they stand in the back buffer. It knows nothing of truequad and may stand before or after it in LD_PRELOAD.
+// A steady world for a program under test, to be preloaded: a clock that moves by a fixed step with every
+// frame, a fixed process id (programs seed random numbers from both), an X connection without races, and
+// pictures of chosen frames as they stand in the back buffer. It knows nothing of truequad and may stand
+// before or after it in LD_PRELOAD.
 //
-//   STEADY_FRAMES=10,20   frames to keep, counted from 1 at the first swap; after the last one the process ends
-//   STEADY_OUT=PREFIX     writes PREFIX-10.png, PREFIX-20.png, and PREFIX.log with a line per frame:
+//   STEADY_FRAMES=10,20   frames to keep, counted from 1 at the first swap; after the last one the process
+//   ends STEADY_OUT=PREFIX     writes PREFIX-10.png, PREFIX-20.png, and PREFIX.log with a line per frame:
 //                           frame 10 640x480 colours 4711 errors none
 //
-// Time as the program's first thread sees it stands still within a frame. A sleep does not wait but moves the clock; so
-// does asking for the time without end, since some programs wait that way. Other threads (a driver's workers) see the
-// real clock.
+// Time as the program's first thread sees it stands still within a frame. A sleep does not wait but moves the
+// clock; so does asking for the time without end, since some programs wait that way. Other threads (a
+// driver's workers) see the real clock.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -19,6 +20,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <poll.h>
+#include <pthread.h>
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,9 +56,22 @@ long long now_ns = kStart_ns;
 int readings = 0;
 int frame = 0;
 
-bool first_thread() {
-  static thread_local const bool first = syscall(SYS_gettid) == syscall(SYS_getpid);
-  return first;
+// Only the program itself lives in the steady world, not its children: they have no frames to move their
+// clock.
+bool steady_process = false;
+
+__attribute__((constructor)) void claim() {
+  constexpr const char* kOwner = "STEADY_OWNER";
+  char own[16];
+  snprintf(own, sizeof own, "%ld", syscall(SYS_getpid));
+  if (!getenv(kOwner)) setenv(kOwner, own, 1);
+  steady_process = strcmp(getenv(kOwner), own) == 0;
+  pthread_atfork(nullptr, nullptr, [] { steady_process = false; });
+}
+
+bool steady() {
+  static thread_local const bool first_thread = syscall(SYS_gettid) == syscall(SYS_getpid);
+  return steady_process && first_thread;
 }
 
 void advance(long long step_ns) {
@@ -74,7 +89,8 @@ timespec to_timespec(long long ns) { return {time_t(ns / kSecond_ns), long(ns % 
 long long to_ns(const timespec& t) { return t.tv_sec * kSecond_ns + t.tv_nsec; }
 long long to_ns(const timeval& t) { return t.tv_sec * kSecond_ns + t.tv_usec * 1000ll; }
 
-// The next definition behind this library; for libraries that a plug-in brought along, the one in its own file.
+// The next definition behind this library; for libraries that a plug-in brought along, the one in its own
+// file.
 template <typename Function>
 Function next(const char* name, const char* file, Function) {
   void* found = dlsym(RTLD_NEXT, name);
@@ -193,7 +209,7 @@ void finish_drawing() {
 
 template <typename Size>
 void frame_ends(Size size) {
-  if (!wanted().last) return;
+  if (!steady_process || !wanted().last) return;
   ++frame;
   finish_drawing();
   char errors[16 * 8] = "";
@@ -244,7 +260,8 @@ STEADY_EXPORT EGLBoolean eglSwapBuffers(EGLDisplay display, EGLSurface surface) 
   return swap(display, surface);
 }
 
-// ---- X: every request waits for the server, so events are in the queue where the program's own requests put them.
+// ---- X: every request waits for the server, so events are in the queue where the program's own requests put
+// them.
 
 STEADY_EXPORT Display* XOpenDisplay(const char* name) {
   static const auto open = next("XOpenDisplay", "libX11.so.6", &XOpenDisplay);
@@ -256,17 +273,17 @@ STEADY_EXPORT Display* XOpenDisplay(const char* name) {
 
 // ---- identity and time
 
-STEADY_EXPORT pid_t getpid() noexcept { return 4242; }
+STEADY_EXPORT pid_t getpid() noexcept { return steady_process ? 4242 : pid_t(syscall(SYS_getpid)); }
 
 STEADY_EXPORT int clock_gettime(clockid_t clock, timespec* out) noexcept {
   const bool processor_time = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
-  if (!first_thread() || processor_time) return int(syscall(SYS_clock_gettime, clock, out));
+  if (!steady() || processor_time) return int(syscall(SYS_clock_gettime, clock, out));
   *out = to_timespec(read_clock());
   return 0;
 }
 
 STEADY_EXPORT int gettimeofday(timeval* __restrict out, void* __restrict zone) noexcept {
-  if (!first_thread()) return int(syscall(SYS_gettimeofday, out, zone));
+  if (!steady()) return int(syscall(SYS_gettimeofday, out, zone));
   const timespec t = to_timespec(read_clock());
   *out = {t.tv_sec, t.tv_nsec / 1000};
   return 0;
@@ -280,7 +297,7 @@ STEADY_EXPORT time_t time(time_t* out) noexcept {
 }
 
 STEADY_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* request, timespec* remain) {
-  if (!first_thread()) {
+  if (!steady()) {
     const long result = syscall(SYS_clock_nanosleep, clock, flags, request, remain);
     return result ? errno : 0;
   }
@@ -290,7 +307,7 @@ STEADY_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* re
 }
 
 STEADY_EXPORT int nanosleep(const timespec* request, timespec* remain) {
-  if (!first_thread()) return int(syscall(SYS_nanosleep, request, remain));
+  if (!steady()) return int(syscall(SYS_nanosleep, request, remain));
   return clock_nanosleep(CLOCK_MONOTONIC, 0, request, remain);
 }
 
@@ -309,7 +326,7 @@ STEADY_EXPORT unsigned sleep(unsigned seconds) {
 
 STEADY_EXPORT int select(int count, fd_set* __restrict in, fd_set* __restrict out, fd_set* __restrict except,
                          timeval* __restrict limit) {
-  if (!first_thread() || !limit) return int(syscall(SYS_select, count, in, out, except, limit));
+  if (!steady() || !limit) return int(syscall(SYS_select, count, in, out, except, limit));
   timeval none = {};
   const int ready = int(syscall(SYS_select, count, in, out, except, &none));
   if (ready == 0) advance(to_ns(*limit));
@@ -317,7 +334,7 @@ STEADY_EXPORT int select(int count, fd_set* __restrict in, fd_set* __restrict ou
 }
 
 STEADY_EXPORT int poll(pollfd* descriptors, nfds_t count, int limit_ms) {
-  if (!first_thread() || limit_ms <= 0) return int(syscall(SYS_poll, descriptors, count, limit_ms));
+  if (!steady() || limit_ms <= 0) return int(syscall(SYS_poll, descriptors, count, limit_ms));
   const int ready = int(syscall(SYS_poll, descriptors, count, 0));
   if (ready == 0) advance(limit_ms * 1'000'000ll);
   return ready;
