@@ -68,12 +68,17 @@ std::vector<Real> decode(int coarse, int fine) {
   return values;
 }
 
-// value + n for every integer n that brings it near the range of the corners.
+// A pixel's centre on the very edge of a quad may be drawn a few roundings beyond it.
+constexpr Real kBeyond = 8 * kStep;
+// The same for the parameters of the bilinear map.
+constexpr Real kSlack = 1e-3L;
+
+// value + n for every integer n that brings it into the range of the corners.
 std::vector<Real> unwrapped(const std::vector<Real>& values, Real low, Real high) {
   std::vector<Real> result;
   for (const Real value : values) {
-    for (Real x = value + std::floor(low - value); x <= high + 1; x += 1) {
-      if (x >= low - kStep && x <= high + kStep) result.push_back(std::clamp(x, low, high));
+    for (Real x = value + std::floor(low - value); x <= high + kBeyond; x += 1) {
+      if (x >= low - kBeyond && x <= high + kBeyond) result.push_back(x);
     }
   }
   return result;
@@ -114,10 +119,9 @@ Summary measure(const std::vector<Quad>& quads, const samples::Picture& coarse, 
       Real nearest = std::numeric_limits<Real>::infinity();
       for (const Real s : unwrapped(decode(c[0], f[0]), s_low, s_high)) {
         for (const Real t : unwrapped(decode(c[1], f[1]), t_low, t_high)) {
-          nearest =
-              std::min(nearest, map ? map->displacement(drawn, s, t)
-                                    : reference::bilinear_displacement(quad.position, quad.texture, quad.view,
-                                                                       drawn, s, t, Real(1e-3)));
+          nearest = std::min(nearest, map ? map->displacement(drawn, s, t)
+                                          : reference::bilinear_displacement(quad.position, quad.texture,
+                                                                             quad.view, drawn, s, t, kSlack));
         }
       }
       if (std::isinf(nearest)) {
