@@ -14,7 +14,7 @@ using SlotMask = std::uint64_t;
 
 inline constexpr unsigned kTextureUnits = kMaxTextureSets;
 inline constexpr unsigned kMaterialProperties = 6;   // ambient, diffuse, specular, emission, shininess, indexes
-inline constexpr unsigned kGenericAttributes = 32;   // 0 is the vertex
+inline constexpr unsigned kGenericAttributes = 16;   // that every driver with generic attributes has; 0 is the vertex
 
 inline constexpr Slot kPosition = 0;
 inline constexpr Slot kTexture = 1;  // + unit
