@@ -58,12 +58,14 @@ row() {  # row NAME LABEL ERROR_BEFORE ERROR_AFTER MS_BEFORE MS_AFTER
 
 sheet() {  # sheet NAME LABEL
   local before=$out/$1-before.png after=$out/$1-after.png
-  titled() { echo "( $1 -bordercolor white -border 4x0 -background white -gravity north -splice 0x32 -annotate +0+6 $2 )"; }
-  # Unquoted on purpose: words of ImageMagick's command line. The difference is shown three times as strong.
-  convert -font DejaVu-Sans -pointsize 18 -fill black \
-    $(titled "$before" without) $(titled "$after" with_truequad) \
-    $(titled "( $before $after -compose difference -composite -alpha off -evaluate multiply 3 )" difference) \
-    +append -gravity south -background white -splice 0x32 -annotate +0+6 "$2" "$out/$1-sheet.png"
+  local look=(-font DejaVu-Sans -pointsize 18 -background white -bordercolor white)
+  local titled=(-border 4x0 -gravity north -splice 0x32 -annotate +0+6)
+  # The difference is shown three times as strong, white where there is none.
+  convert "$before" "$after" -alpha off -compose difference -composite -evaluate multiply 3 -negate "$work/difference.png"
+  convert "${look[@]}" \
+    \( "$before" "${titled[@]}" without \) \( "$after" "${titled[@]}" 'with truequad' \) \
+    \( "$work/difference.png" "${titled[@]}" difference \) \
+    +append +repage -gravity south -splice 0x32 -annotate +0+6 "$2" "$out/$1-sheet.png"
 }
 
 # sample NAME LABEL MODE MAP PROGRAM ARGS…
@@ -112,9 +114,10 @@ real() {
     while [ "$1" != -- ]; do with+=("$1"); shift; done
     shift
     mkdir -p "$work/home"
-    tests/programs/with_display env -u XAUTHORITY HOME="$PWD/$work/home" LC_ALL=C LIBGL_ALWAYS_SOFTWARE=1 \
-      "${with[@]}" env STEADY_FRAMES="$last" STEADY_OUT="$PWD/$prefix" LD_PRELOAD_BEFORE="$steady" \
-      bash -c 'LD_PRELOAD=$LD_PRELOAD_BEFORE${LD_PRELOAD:+:$LD_PRELOAD} exec timeout -k 5 120 "$@"' run "$@" \
+    # The command hands its own process to the program, so the steady world that begins in it goes on there.
+    tests/programs/with_display timeout -k 5 120 env -u XAUTHORITY -u STEADY_OWNER HOME="$PWD/$work/home" LC_ALL=C \
+      LIBGL_ALWAYS_SOFTWARE=1 MESA_SHADER_CACHE_DISABLE=true \
+      STEADY_FRAMES="$last" STEADY_OUT="$PWD/$prefix" LD_PRELOAD="$steady" "${with[@]}" "$@" \
       >"$work/$name.log" 2>&1 </dev/null || status=$?
     [ $status = 0 ] && [ -s "$prefix-$last.png" ] || { tail -n 5 "$work/$name.log" >&2; fail "$name ended with status $status"; }
   }
