@@ -6,7 +6,7 @@
 # Samples (samples/) draw with OSMesa, two real programs of Debian on an X server without a screen. Errors are measured: the
 # samples draw a texture that tells its own coordinates, which samples/measure compares with the exact map.
 # Ends with status 1 if a sample's error with truequad exceeds the tolerance.
-set -euo pipefail
+set -Eeuo pipefail
 cd "$(dirname "$0")"
 source tests/packages.sh
 
