@@ -56,6 +56,7 @@ double inset_for(const Density& along, const Density& across, bool at_start, dou
   double worst = 0;
   for (int i = 0; i < along.steps; ++i) {
     const auto profile = [&](double from, double to, double span) {
+      if (!(span > 0)) return 0.0;
       const double low = std::min(from, span), high = std::min(to, span),
                    peak = std::clamp(span / 2, low, high);
       return peak * (1 - peak / span);
@@ -188,6 +189,13 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
   shrink.fill(kMargin);
   const double middle_u = median(densities.u), middle_v = median(densities.v);
   bool found = false, at_cap = false;
+  const bool sides_flush[4] = {flush[0], flush[1], flush[2], flush[3]};
+  // In u or v, whichever the side runs along; sides CD and DA run backwards.
+  const auto apex_of = [&](int side) {
+    const double place = apex_place(sides_flush, side);
+    if (place == 0.5) return side % 2 == 0 ? middle_u : middle_v;
+    return side < 2 ? place : 1 - place;
+  };
   for (int round = 0; round < kMaxRounds; ++round) {
     Insets inset;
     for (int side = 0; side < 4; ++side) {
@@ -197,7 +205,7 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
               ? 0
               : std::max(shrink[side] * inset_for(along_u ? densities.u : densities.v,
                                                   along_u ? densities.v : densities.u, side == 0 || side == 3,
-                                                  along_u ? middle_u : middle_v, aim_px),
+                                                  apex_of(side), aim_px),
                          kMinInset);
     }
     const int triangles = choose_lines(densities, inset, flush, lines_px, cap, plan);

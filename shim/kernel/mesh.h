@@ -38,8 +38,16 @@ inline Param param(const Plan& plan, const Block& block, Node node) {
   return {at(plan.u, node.i, block.n), at(plan.v, node.j, block.m)};
 }
 
+// Where along a side's inner edge the outer edge's triangle has its apex, from 0 at the side's start to 1 at its end: in the
+// middle, but at the end where the quad has no width. There all nodes lie on one line with that end's corner, and a fan
+// from it would have no area: what a rasteriser makes of its rounded vertices is arbitrary.
+inline double apex_place(const bool (&flush)[4], int side) {
+  const bool at_start = flush[(side + 3) % 4], at_end = flush[(side + 1) % 4];
+  return at_start == at_end ? 0.5 : at_end ? 1 : 0;
+}
+
 // Calls f(Node, Node, Node) for each triangle between one side of the quad and the block: the outer edge with
-// the middle node of the inner one as apex, and on both halves of the inner edge a fan from the corner.
+// its apex on the inner one, and on both parts of the inner edge a fan from the corner.
 template <typename F>
 void for_each_border_triangle(const Block& block, int side, F&& f) {
   const int n = block.n, m = block.m;
@@ -58,7 +66,7 @@ void for_each_border_triangle(const Block& block, int side, F&& f) {
     }
   };
   const Node p = corner[side], q = corner[(side + 1) % 4];
-  const int apex = cells / 2;
+  const int apex = int(cells * apex_place(block.flush, side));
   f(p, q, inner(apex));
   for (int t = 0; t < cells; ++t) f(t < apex ? p : q, inner(t + 1), inner(t));
 }
