@@ -82,6 +82,18 @@ void corrected_strip(benchmark::State& state) { run(state, GL_QUAD_STRIP, strip(
 void triangles_in_one(benchmark::State& state) { run(state, GL_TRIANGLES, triangles(), 0); }
 void triangles_one_by_one(benchmark::State& state) { run(state, GL_TRIANGLES, triangles(), 3); }
 
+// The same triangles by one call: a program that keeps its vertices in arrays.
+void triangles_from_arrays(benchmark::State& state) {
+  const auto vertices = triangles();
+  glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), &vertices[0].s);
+  glVertexPointer(3, GL_FLOAT, sizeof(Vertex), &vertices[0].x);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  for (auto _ : state) glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
+  glDisableClientState(GL_VERTEX_ARRAY);
+  glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+}
+
 BENCHMARK(affine_in_one);
 BENCHMARK(affine_one_by_one);
 BENCHMARK(affine_strip);
@@ -90,6 +102,7 @@ BENCHMARK(corrected_one_by_one);
 BENCHMARK(corrected_strip);
 BENCHMARK(triangles_in_one);
 BENCHMARK(triangles_one_by_one);
+BENCHMARK(triangles_from_arrays);
 
 bool open_canvas() {
   constexpr int kSize = 640;
