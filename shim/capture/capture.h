@@ -1,24 +1,42 @@
-// The doors' side of the capture: what has to be told to it, and when. Attribute and vertex calls are in record.h.
+// The doors' side of the capture: every call goes to entry.dispatch, but for the few that have functions here.
 // No function here throws, locks on the vertex path, or raises a GL error that the program's own calls would not.
 #pragma once
 
 #include "capture/entry.h"
+#include "gl_enums.h"
 
 namespace truequad {
 
-// The program called glBegin(mode). Forwards the call itself (now, or together with the first quad).
-void begin(Entry& entry, GLenum mode);
+// Of a primitive of one of these modes we look at the quads (GL 2.1 section 2.6.1); a polygon is one if it has four vertices.
+constexpr bool has_quads(GLenum mode) { return mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON; }
+
+// begin() and end() of what is or may be captured.
+void begin_quads(Entry& entry, GLenum mode);
+void end_quads(Entry& entry);
+
+// The program called glBegin(mode). Forwards the call itself (now, or together with the first quad). Inline, as all other
+// modes pass here too.
+inline void begin(Entry& entry, GLenum mode) {
+  if (entry.active || has_quads(mode)) return begin_quads(entry, mode);
+  // Not inside after an unknown mode; a mode that this driver lacks makes us pass what follows, no more.
+  if (mode <= GL_PATCHES) entry.inside = true;
+  entry.driver->Begin(mode);
+}
 
 // The program called glEnd. Forwards the call itself.
-void end(Entry& entry);
+inline void end(Entry& entry) {
+  if (entry.active) return end_quads(entry);
+  entry.inside = false;
+  entry.driver->End();
+}
 
-// The program is about to make a call other than those of record.h while entry.active != nullptr. Afterwards the
-// driver has seen everything before it; the caller forwards the call.
+// The program is about to make a call that could notice what is held, other than an OpenGL command (glXSwapBuffers …).
+// Afterwards the driver has seen everything before it; the caller forwards the call.
 void barrier(Entry& entry);
 
-// After glNewList and glEndList have been forwarded.
-void list_opened(Entry& entry);
-void list_closed(Entry& entry);
+// The program called glNewList, glEndList. Forwards the call itself.
+void new_list(Entry& entry, GLuint list, GLenum mode);
+void end_list(Entry& entry);
 
 // After `context` (null: none) was made current on this thread; barrier() was called before if something was active.
 // `driver` is its table and outlives it; with no context: the one to use until there is one.

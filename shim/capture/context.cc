@@ -8,8 +8,8 @@
 
 namespace truequad {
 
-constinit thread_local Entry entry [[gnu::tls_model("initial-exec")]] = {nullptr, &default_driver, nullptr,
-                                                                        nullptr, false,           false};
+constinit thread_local Entry entry [[gnu::tls_model("initial-exec")]] = {
+    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, false};
 
 namespace {
 
@@ -31,8 +31,9 @@ void release(ContextRecord* record) {
 void context_made_current(Entry& e, const void* context, const Driver* driver) {
   stats_engage();
   e.driver = driver ? driver : &default_driver;
+  if (!e.active) e.dispatch = e.driver;
   if (e.context && e.context->handle == context && !e.context->destroyed.load(std::memory_order_relaxed)) return;
-  e.active = nullptr;
+  set_active(e, nullptr);
   const std::lock_guard lock(records_mutex);
   if (e.context) {
     e.context->inside = e.inside;

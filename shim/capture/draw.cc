@@ -1,5 +1,6 @@
 #include "capture/draw.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -50,25 +51,35 @@ const Caps& caps_of(Capture& c) {
   return record.caps;
 }
 
-// The call that gives a current value of the driver back, and whether it can be asked for.
-struct CurrentValue {
-  RowId row;
-  GLenum name;
-};
-CurrentValue current_value(const Caps& caps, Slot slot) {
-  if (bit(slot) & kTextureSlots) {
-    return {slot == kTexture ? kRowTexCoord4fv : caps.multitexture_core ? kRowMultiTexCoord4fv : kRowMultiTexCoord4fvARB,
-            GL_CURRENT_TEXTURE_COORDS};
-  }
-  if (bit(slot) & kMaterialSlots) return {kRowMaterialfv, 0};
+// The call that gives `size` floats of an interpolated slot.
+RowId float_call(const Caps& caps, Slot slot, unsigned size) {
+  constexpr RowId kTexCoord[] = {kRowTexCoord1fv, kRowTexCoord2fv, kRowTexCoord3fv, kRowTexCoord4fv};
+  constexpr RowId kMultiTexCoord[] = {kRowMultiTexCoord1fv, kRowMultiTexCoord2fv, kRowMultiTexCoord3fv,
+                                      kRowMultiTexCoord4fv};
+  constexpr RowId kMultiTexCoordARB[] = {kRowMultiTexCoord1fvARB, kRowMultiTexCoord2fvARB, kRowMultiTexCoord3fvARB,
+                                         kRowMultiTexCoord4fvARB};
+  constexpr RowId kVertex[] = {kRowVertex2fv, kRowVertex2fv, kRowVertex3fv, kRowVertex4fv};
+  const unsigned last = size - 1;
+  if (slot == kPosition) return kVertex[last];
+  if (slot == kTexture) return kTexCoord[last];
+  if (bit(slot) & kTextureSlots) return caps.multitexture_core ? kMultiTexCoord[last] : kMultiTexCoordARB[last];
+  if (bit(slot) & kMaterialSlots) return kRowMaterialfv;
   switch (slot) {
-    case kColor: return {kRowColor4fv, GL_CURRENT_COLOR};
-    case kSecondaryColor:
-      return {caps.secondary_color_core ? kRowSecondaryColor3fv : kRowSecondaryColor3fvEXT,
-              GL_CURRENT_SECONDARY_COLOR};
-    case kNormal: return {kRowNormal3fv, GL_CURRENT_NORMAL};
-    case kFogCoord: return {caps.fog_coord_core ? kRowFogCoordfv : kRowFogCoordfvEXT, GL_CURRENT_FOG_COORD};
-    default: return {kRowIndexfv, GL_CURRENT_INDEX};
+    case kColor: return size < 4 ? kRowColor3fv : kRowColor4fv;
+    case kSecondaryColor: return caps.secondary_color_core ? kRowSecondaryColor3fv : kRowSecondaryColor3fvEXT;
+    case kNormal: return kRowNormal3fv;
+    case kFogCoord: return caps.fog_coord_core ? kRowFogCoordfv : kRowFogCoordfvEXT;
+    default: return kRowIndexfv;
+  }
+}
+
+GLenum current_name(Slot slot) {
+  switch (slot) {
+    case kColor: return GL_CURRENT_COLOR;
+    case kSecondaryColor: return GL_CURRENT_SECONDARY_COLOR;
+    case kNormal: return GL_CURRENT_NORMAL;
+    case kFogCoord: return GL_CURRENT_FOG_COORD;
+    default: return GL_CURRENT_INDEX;
   }
 }
 
@@ -81,7 +92,7 @@ Float4 read_current(const Driver& driver, const Caps& caps, Slot slot) {
     with_texture_unit(driver, caps, slot - kTexture,
                       [&] { driver.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.at); });
   } else {
-    driver.GetFloatv(current_value(caps, slot).name, value.at);
+    driver.GetFloatv(current_name(slot), value.at);
   }
   return value;
 }
@@ -127,8 +138,9 @@ double length(const float (&x)[4]) { return std::sqrt(double(x[0]) * x[0] + doub
 // One attribute over the quad, at any (u, v).
 class Channel {
  public:
-  Channel(const Capture& c, Slot slot, const Quad& quad) : slot_(slot) {
+  Channel(const Capture& c, const Caps& caps, Slot slot, const Quad& quad) : slot_(slot) {
     for (int i = 0; i < 4; ++i) corner_[i] = c.at[slot][quad.corner[i]];
+    row_ = float_call(caps, slot, size());
     if ((slot == kColor || slot == kSecondaryColor) && !c.view.lighting) {
       // Unlit colours are clamped before they are interpolated (GL 2.1 section 2.14.6).
       for (Float4& x : corner_) {
@@ -140,6 +152,8 @@ class Channel {
     }
   }
   Slot slot() const { return slot_; }
+
+  void send(const Driver& driver, const Float4& value) const { replay(driver, slot_, row_, value, kNoRaw); }
 
   Float4 at(Param p) const {
     Float4 value;
@@ -159,7 +173,19 @@ class Channel {
   }
 
  private:
+  // Components without those at the end that a shorter call would set to the same (GL 2.1 section 2.7). Drivers keep
+  // vertices as large as the largest call made them.
+  unsigned size() const {
+    const auto all = [&](int component, float value) {
+      return std::all_of(std::begin(corner_), std::end(corner_),
+                         [&](const Float4& x) { return x.at[component] == value; });
+    };
+    if (!all(3, 1)) return 4;
+    return !all(2, 0) ? 3 : !all(1, 0) ? 2 : 1;
+  }
+
   Slot slot_;
+  RowId row_;
   Float4 corner_[4];
   double length_[4] = {};
 };
@@ -178,11 +204,11 @@ void draw_mesh(Capture& c, const Quad& quad) {
   tessellate(s.plan, {s.params, size.vertices}, {s.triangles, size.triangles});
 
   const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots);
-  const Channel position(c, kPosition, quad);
+  const Channel position(c, caps, kPosition, quad);
   alignas(Channel) unsigned char memory[kMaxChannels * sizeof(Channel)];
   Channel* const channels = reinterpret_cast<Channel*>(memory);
   unsigned count = 0;
-  for_each_slot(varying, [&](Slot slot) { new (&channels[count++]) Channel(c, slot, quad); });
+  for_each_slot(varying, [&](Slot slot) { new (&channels[count++]) Channel(c, caps, slot, quad); });
   const unsigned stride = count + 1;
 
   // Each vertex is computed once, though a triangle list sends it several times.
@@ -204,8 +230,8 @@ void draw_mesh(Capture& c, const Quad& quad) {
         continue;
       }
       const Float4* const values = s.values + vertex * stride;
-      for (unsigned k = 0; k < count; ++k) send_value(driver, caps, channels[k].slot(), values[1 + k].at);
-      driver.Vertex4fv(values[0].at);
+      for (unsigned k = 0; k < count; ++k) channels[k].send(driver, values[1 + k]);
+      position.send(driver, values[0]);
     }
   }
 }
@@ -225,7 +251,7 @@ void draw_projected(Capture& c, const Quad& quad, unsigned units) {
     for_each_slot(projected, [&](Slot slot) {
       Float4 scaled;
       for (int k = 0; k < 4; ++k) scaled.at[k] = float(plan.lambda[set][i] * c.at[slot][place].at[k]);
-      send_value(*c.driver, caps, slot, scaled.at);
+      replay(*c.driver, slot, float_call(caps, slot, 4), scaled, kNoRaw);
       ++set;
     });
     replay_at(c, kPosition, place);
@@ -251,15 +277,6 @@ struct Sets {
 
 }  // namespace
 
-void send_value(const Driver& driver, const Caps& caps, Slot slot, const GLfloat* value) {
-  if (slot == kTexture) return driver.TexCoord4fv(value);
-  if (slot == kNormal) return driver.Normal3fv(value);
-  if (slot == kColor) return driver.Color4fv(value);
-  Float4 copy;
-  std::memcpy(copy.at, value, sizeof copy.at);
-  replay(driver, slot, current_value(caps, slot).row, copy, Raw{});
-}
-
 void fill_absent(Capture& c, const Quad& quad, SlotMask slots) {
   SlotMask absent = 0;
   for (unsigned place : quad.corner) absent |= slots & ~c.present[place];
@@ -272,7 +289,7 @@ void fill_absent(Capture& c, const Quad& quad, SlotMask slots) {
     for (unsigned place : quad.corner) {
       if (c.present[place] & bit(slot)) continue;
       c.at[slot][place] = value;
-      c.row[slot][place] = current_value(caps, slot).row;
+      c.row[slot][place] = float_call(caps, slot, 4);
       c.present[place] |= bit(slot);
     }
   });

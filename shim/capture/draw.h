@@ -13,9 +13,6 @@ void fill_absent(Capture& c, const Quad& quad, SlotMask slots);
 // diagonal. kNone: drawn. Else nothing was drawn, for this reason. The capture must be held.
 Reason correct(Capture& c, const Quad& quad, SlotMask warped);
 
-// Sends a float value of an interpolated slot.
-void send_value(const Driver& driver, const Caps& caps, Slot slot, const GLfloat* value);
-
 void free_scratch(Scratch* scratch);
 
 }  // namespace truequad

@@ -9,6 +9,7 @@ struct Capture;
 struct ContextRecord;
 
 struct Entry {
+  const Driver* dispatch;  // where the program's calls go: `driver`, or `capturing` while `active`
   Capture* active;         // non-null only between a captured glBegin and its glEnd
   const Driver* driver;    // real functions of the current context; never null
   ContextRecord* context;  // null: none is current that we know of
@@ -21,7 +22,15 @@ struct Entry {
 // or a test's fake driver.
 extern Driver default_driver;
 
+// The table of calls inside a captured primitive (capturing.cc).
+extern const Driver capturing;
+
 // Initial-exec: the vertex path pays one load for it, and the library is in the process from its start.
 extern thread_local constinit Entry entry [[gnu::tls_model("initial-exec")]];
+
+inline void set_active(Entry& e, Capture* capture) {
+  e.active = capture;
+  e.dispatch = capture ? &capturing : e.driver;
+}
 
 }  // namespace truequad

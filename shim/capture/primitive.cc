@@ -18,9 +18,6 @@
 namespace truequad {
 namespace {
 
-// A primitive of n vertices has all quads that GL makes of it (GL 2.1 section 2.6.1); a polygon is one with four.
-constexpr bool captured_mode(GLenum mode) { return mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON; }
-
 void set_state(Capture& c, State state) {
   c.state = state;
   c.forwarding = state != State::kHeld;
@@ -192,7 +189,7 @@ void free_capture(void* own) {
   Capture* c = static_cast<Capture*>(own);
   // Other destructors of this thread may still use GL.
   entry.own = nullptr;
-  entry.active = nullptr;
+  set_active(entry, nullptr);
   stats_detach(c->counters);
   free_scratch(c->scratch);
   delete c;
@@ -295,38 +292,33 @@ void abandon(Capture& c, Reason reason) {
   set_state(c, State::kPassive);
 }
 
-void begin(Entry& e, GLenum mode) {
+void begin_quads(Entry& e, GLenum mode) {
   if (e.active) {
     // An error, and the primitive goes on (GL 2.1 section 2.6.3).
     barrier(e);
     e.driver->Begin(mode);
     return;
   }
-  if (captured_mode(mode) && !e.inside) {
+  if (!e.inside) {
+    e.inside = true;
     const Options& settings = e.own ? *e.own->options : options();
     if (settings.mode != Mode::kOff || settings.stats_path[0] != '\0') {
       Capture* c = e.own ? e.own : allocate_capture(e);
       if (c) {
         start(*c, e, mode);
-        e.active = c;
-        e.inside = true;
+        set_active(e, c);
         if (c->state == State::kHeld) return;
         c->began = true;
       }
     }
   }
-  // Not inside after an unknown mode; a mode that this driver lacks makes us pass what follows, no more.
-  if (mode <= GL_PATCHES) e.inside = true;
   e.driver->Begin(mode);
 }
 
-void end(Entry& e) {
-  Capture* const active = e.active;
-  e.active = nullptr;
+void end_quads(Entry& e) {
+  Capture& c = *e.active;
+  set_active(e, nullptr);
   e.inside = false;
-  if (!active) return e.driver->End();
-
-  Capture& c = *active;
   if (c.mode == GL_POLYGON && c.next == 4 && c.quads == 0) settle(c, completed_quad(c));
   const bool incomplete = leftover(c);
   if (incomplete) pass(c, c.state == State::kPassive ? c.passive_reason : Reason::kIncomplete);
@@ -348,7 +340,16 @@ void barrier(Entry& e) {
   if (e.active) abandon(*e.active, Reason::kUnmodelledCall);
 }
 
-void list_opened(Entry& e) { e.list_open = true; }
-void list_closed(Entry& e) { e.list_open = false; }
+void new_list(Entry& e, GLuint list, GLenum mode) {
+  barrier(e);
+  e.driver->NewList(list, mode);
+  e.list_open = true;
+}
+
+void end_list(Entry& e) {
+  barrier(e);
+  e.driver->EndList();
+  e.list_open = false;
+}
 
 }  // namespace truequad

@@ -1,7 +1,5 @@
-// record_Vertex3f, record_TexCoord2fv …: what a door does for every row of attribute_calls.inc. Each is an object with
-// two functions of the call's own parameters:
-//   call(…)            the whole door: records if a capture is active, forwards if it is to be forwarded now;
-//   operator()(c, …)   records only; true if the call is to be forwarded now.
+// What becomes of each row of attribute_calls.inc inside a captured primitive: it is recorded, and forwarded if it is to be
+// forwarded now.
 //
 // The usual case never calls a function but the driver's, in tail position, so that no register need be saved for it.
 // Everything else (a slot that is set first, a completed quad, a call that GL will refuse) is marked as pending and
@@ -277,23 +275,12 @@ bool resolve(Capture& c, Arguments... arguments) {
   return step == Step::kForward;
 }
 
+// The whole door of a call inside a captured primitive (capturing.cc).
 template <Row row, auto member, typename Function = std::remove_cvref_t<decltype(std::declval<Driver>().*member)>>
 struct Recorder;
 template <Row row, auto member, typename... Arguments>
 struct Recorder<row, member, void(GLAPIENTRY*)(Arguments...)> {
-  bool operator()(Capture& c, Arguments... arguments) const {
-    const Step step = record<row>(c, arguments...);
-    return step == Step::kPending ? resolve<row>(c, arguments...) : step == Step::kForward;
-  }
-
-  void call(Arguments... arguments) const {
-    Entry& e = entry;
-    if (e.active) [[unlikely]] return captured(arguments...);
-    return (e.driver->*member)(arguments...);
-  }
-
- private:
-  [[gnu::noinline]] static void captured(Arguments... arguments) {
+  static void GLAPIENTRY call(Arguments... arguments) {
     Entry& e = entry;
     switch (record<row>(*e.active, arguments...)) {
       case Step::kDrop: return;
@@ -301,6 +288,8 @@ struct Recorder<row, member, void(GLAPIENTRY*)(Arguments...)> {
       case Step::kPending: return pending(arguments...);
     }
   }
+
+ private:
   [[gnu::noinline]] static void pending(Arguments... arguments) {
     Entry& e = entry;
     if (resolve<row>(*e.active, arguments...)) return (e.driver->*member)(arguments...);
@@ -308,10 +297,5 @@ struct Recorder<row, member, void(GLAPIENTRY*)(Arguments...)> {
 };
 
 }  // namespace recording
-
-#define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_) \
-  inline constexpr recording::Recorder<kRows[kRow##Name], &Driver::Name> record_##Name{};
-#include "attribute_calls.inc"
-#undef TQ_ATTRIBUTE
 
 }  // namespace truequad

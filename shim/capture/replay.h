@@ -8,6 +8,9 @@ namespace truequad {
 // slot says the texture unit, material property or generic attribute of calls that name one.
 void replay(const Driver& driver, Slot slot, RowId row, const Float4& value, const Raw& raw);
 
+// Of a value whose floats are its arguments.
+inline constexpr Raw kNoRaw{};
+
 inline void replay_at(const Capture& c, Slot slot, unsigned place) {
   replay(*c.driver, slot, c.row[slot][place], c.at[slot][place], c.raw[slot][place]);
 }

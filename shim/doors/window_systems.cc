@@ -32,9 +32,7 @@ class Real<Result (*)(Parameters...)> {
 };
 
 // Whatever is still held goes to the context that it was meant for.
-void settle() {
-  if (entry.active) barrier(entry);
-}
+void settle() { barrier(entry); }
 
 void made_current(Api api, const void* context) {
   // A thread may release an API that is not the one it draws with.

@@ -11,50 +11,19 @@ namespace truequad::fake {
 namespace {
 
 template <auto member, typename Result, typename... Arguments>
-Result GLAPIENTRY other(Arguments... arguments) {
-  if (entry.active) barrier(entry);
-  return (entry.driver->*member)(arguments...);
-}
-template <auto member, typename Result, typename... Arguments>
-auto other_function(Result(GLAPIENTRY*)(Arguments...)) {
-  return &other<member, Result, Arguments...>;
-}
-
-template <auto recorder, typename... Arguments>
-void GLAPIENTRY attribute(Arguments... arguments) {
-  (*recorder).call(arguments...);
-}
-template <auto recorder, typename... Arguments>
-auto attribute_function(void(GLAPIENTRY*)(Arguments...)) {
-  return &attribute<recorder, Arguments...>;
-}
-
-void GLAPIENTRY door_begin(GLenum mode) { begin(entry, mode); }
-void GLAPIENTRY door_end() { end(entry); }
-void GLAPIENTRY door_new_list(GLuint list, GLenum mode) {
-  if (entry.active) barrier(entry);
-  entry.driver->NewList(list, mode);
-  list_opened(entry);
-}
-void GLAPIENTRY door_end_list() {
-  if (entry.active) barrier(entry);
-  entry.driver->EndList();
-  list_closed(entry);
+auto door(Result(GLAPIENTRY*)(Arguments...)) {
+  return [](Arguments... arguments) -> Result { return (entry.dispatch->*member)(arguments...); };
 }
 
 Driver make_doors() {
   Driver d;
-#define TQ_COMMAND(name, result, parameters, arguments) d.name = other_function<&Driver::name>(decltype(d.name){});
-#include "other_calls.inc"
+#define TQ_COMMAND(name, result, parameters, arguments) d.name = door<&Driver::name>(decltype(d.name){});
+#include "gl_commands.inc"
 #undef TQ_COMMAND
-#define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_) \
-  d.Name = attribute_function<&record_##Name>(decltype(d.Name){});
-#include "attribute_calls.inc"
-#undef TQ_ATTRIBUTE
-  d.Begin = door_begin;
-  d.End = door_end;
-  d.NewList = door_new_list;
-  d.EndList = door_end_list;
+  d.Begin = [](GLenum mode) { begin(entry, mode); };
+  d.End = [] { end(entry); };
+  d.NewList = [](GLuint list, GLenum mode) { new_list(entry, list, mode); };
+  d.EndList = [] { end_list(entry); };
   return d;
 }
 

@@ -1,0 +1,40 @@
+// Where calls go while a primitive is captured: attributes and vertices are recorded, everything else settles it first.
+// One table for the whole time between glBegin and glEnd, so that a door is a load and a jump, and asks nothing.
+#include "capture/capture.h"
+#include "capture/record.h"
+
+namespace truequad {
+namespace {
+
+template <auto member, typename Function>
+struct Settled;
+template <auto member, typename Result, typename... Arguments>
+struct Settled<member, Result(GLAPIENTRY*)(Arguments...)> {
+  [[gnu::cold]] static Result GLAPIENTRY call(Arguments... arguments) {
+    barrier(entry);
+    return (entry.driver->*member)(arguments...);
+  }
+};
+
+constexpr Driver make_capturing() {
+  Driver table{};
+#define TQ_COMMAND(name, result, parameters, arguments) \
+  table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
+#include "other_calls.inc"
+#undef TQ_COMMAND
+#define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_) \
+  table.Name = recording::Recorder<kRows[kRow##Name], &Driver::Name>::call;
+#include "attribute_calls.inc"
+#undef TQ_ATTRIBUTE
+  table.Begin = [](GLenum mode) { begin(entry, mode); };
+  table.End = [] { end(entry); };
+  table.NewList = [](GLuint list, GLenum mode) { new_list(entry, list, mode); };
+  table.EndList = [] { end_list(entry); };
+  return table;
+}
+
+}  // namespace
+
+constinit const Driver capturing = make_capturing();
+
+}  // namespace truequad
