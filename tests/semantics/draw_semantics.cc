@@ -1,0 +1,51 @@
+// draw_semantics_API CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL for COUNT seeds and writes its
+// records. A program like any other, which knows nothing of truequad.
+#include <cstdio>
+#include <cstdlib>
+
+#include "canvas.h"
+#include "cases.h"
+#include "pass.h"
+#include "record.h"
+
+namespace truequad::semantics {
+namespace {
+
+bool draw_passes(const std::string& wanted, unsigned first, unsigned seeds) {
+  for (const auto* cases : {&depth_cases(), &frame_cases(), &stencil_cases()}) {
+    for (const PassesCase& known : *cases) {
+      if (wanted != known.name) continue;
+      prepare_passes();
+      for (const std::string& name : shape_names()) {
+        for (unsigned seed = first; seed < first + seeds; ++seed) {
+          known.draw(make_shape(name, seed), name + " " + std::to_string(seed));
+        }
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+int run(int count, char** arguments) {
+  if (count != 5) {
+    std::fprintf(stderr, "usage: %s CASE FIRST COUNT FILE\n", arguments[0]);
+    return 2;
+  }
+  images::open_canvas(kWidth, kHeight);
+  open_records(arguments[4]);
+  if (!draw_passes(arguments[1], unsigned(std::atoi(arguments[2])), unsigned(std::atoi(arguments[3])))) {
+    std::fprintf(stderr, "%s: there is no case named %s\n", arguments[0], arguments[1]);
+    return 2;
+  }
+  if (const GLenum error = glGetError()) {
+    std::fprintf(stderr, "%s: GL error 0x%x\n", arguments[0], error);
+    return 1;
+  }
+  return close_records() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace truequad::semantics
+
+int main(int count, char** arguments) { return truequad::semantics::run(count, arguments); }
