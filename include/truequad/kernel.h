@@ -129,6 +129,11 @@ struct Plan {
 void plan(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
           Mode mode, Plan& out);
 
+// What the mesh of a plan with Action::kMesh, made for this position and view but other texture coordinates, promises for
+// these: sets bound_px and capped. For later passes over the same vertices, whose depths agree only if the triangles do.
+void bound_mesh(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
+                Plan& mesh);
+
 // A vertex of a mesh: its place in the parameter square.
 struct Param {
   double u, v;

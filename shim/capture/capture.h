@@ -38,6 +38,15 @@ void barrier(Entry& entry);
 void new_list(Entry& entry, GLuint list, GLenum mode);
 void end_list(Entry& entry);
 
+// The program called one of these. Forward the call themselves; what they note: drawn.h.
+void clear(Entry& entry, GLbitfield mask);
+void depth_func(Entry& entry, GLenum function);
+void stencil_op(Entry& entry, GLenum fail, GLenum depth_fail, GLenum pass);
+void stencil_op_separate(Entry& entry, GLenum face, GLenum fail, GLenum depth_fail, GLenum pass);
+
+// A frame was finished: the buffers are swapped.
+void frame_ended(Entry& entry);
+
 // After `context` (null: none) was made current on this thread; barrier() was called before if something was active.
 // `driver` is its table and outlives it; with no context: the one to use until there is one.
 void context_made_current(Entry& entry, const void* context, const Driver* driver);

@@ -26,6 +26,10 @@ constexpr Driver make_capturing() {
   table.Name = recording::Recorder<kRows[kRow##Name], &Driver::Name>::call;
 #include "attribute_calls.inc"
 #undef TQ_ATTRIBUTE
+  // Their doors note something, and then come here.
+#define TQ_NOTED(name) table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
+  TQ_NOTED(Clear) TQ_NOTED(DepthFunc) TQ_NOTED(StencilOp) TQ_NOTED(StencilOpSeparate)
+#undef TQ_NOTED
   table.Begin = [](GLenum mode) { begin(entry, mode); };
   table.End = [] { end(entry); };
   table.NewList = [](GLuint list, GLenum mode) { new_list(entry, list, mode); };

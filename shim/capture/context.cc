@@ -34,6 +34,7 @@ void context_made_current(Entry& e, const void* context, const Driver* driver) {
   if (!e.active) e.dispatch = e.driver;
   if (e.context && e.context->handle == context && !e.context->destroyed.load(std::memory_order_relaxed)) return;
   set_active(e, nullptr);
+  frame_ended(e);  // another context has other buffers
   const std::lock_guard lock(records_mutex);
   if (e.context) {
     e.context->inside = e.inside;

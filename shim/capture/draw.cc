@@ -2,56 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
+#include <new>
 
-#include "capture/overlay.h"
 #include "capture/replay.h"
+#include "capture/scratch.h"
 
 namespace truequad {
 
-namespace {
-
-constexpr int kTriangleCap = 4096;  // for one quad
-// The published subdivision shares no vertices between its leaves of two triangles.
-constexpr int kMaxVertices = 2 * kTriangleCap + 4;
-constexpr unsigned kMaxChannels = 32;
-static_assert(kMaxChannels >= std::popcount(kInterpolatedSlots) + 1);
-
-}  // namespace
-
-// Working space of one thread: allocated at its first correction, none after that.
-struct Scratch {
-  Plan plan;
-  Param params[kMaxVertices];
-  Triangle triangles[kTriangleCap];
-  Float4 values[std::size_t(kMaxVertices) * kMaxChannels];  // vertex after vertex, a value for each channel
-};
-
-void free_scratch(Scratch* scratch) { std::free(scratch); }
-
-namespace {
-
-Scratch* scratch_of(Capture& c) {
-  // Pages that no mesh is large enough to touch are never backed by memory.
-  if (!c.scratch) {
-    void* memory = std::aligned_alloc(64, (sizeof(Scratch) + 63) / 64 * 64);
-    if (memory) c.scratch = new (memory) Scratch;
-  }
-  return c.scratch;
-}
-
-const Caps& caps_of(Capture& c) {
-  ContextRecord& record = *c.entry->context;
-  if (!record.caps_read) {
-    close_mesh(c);
-    record.caps = read_caps(*c.driver);
-    record.caps_read = true;
-  }
-  return record.caps;
-}
-
-// The call that gives `size` floats of an interpolated slot.
 RowId float_call(const Caps& caps, Slot slot, unsigned size) {
   constexpr RowId kTexCoord[] = {kRowTexCoord1fv, kRowTexCoord2fv, kRowTexCoord3fv, kRowTexCoord4fv};
   constexpr RowId kMultiTexCoord[] = {kRowMultiTexCoord1fv, kRowMultiTexCoord2fv, kRowMultiTexCoord3fv,
@@ -73,37 +31,7 @@ RowId float_call(const Caps& caps, Slot slot, unsigned size) {
   }
 }
 
-GLenum current_name(Slot slot) {
-  switch (slot) {
-    case kColor: return GL_CURRENT_COLOR;
-    case kSecondaryColor: return GL_CURRENT_SECONDARY_COLOR;
-    case kNormal: return GL_CURRENT_NORMAL;
-    case kFogCoord: return GL_CURRENT_FOG_COORD;
-    default: return GL_CURRENT_INDEX;
-  }
-}
-
-Float4 read_current(const Driver& driver, const Caps& caps, Slot slot) {
-  Float4 value{{0, 0, 0, 1}};
-  if (bit(slot) & kMaterialSlots) {
-    const MaterialName name = material_name(slot);
-    driver.GetMaterialfv(name.face, name.property, value.at);
-  } else if (bit(slot) & kTextureSlots) {
-    with_texture_unit(driver, caps, slot - kTexture,
-                      [&] { driver.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.at); });
-  } else {
-    driver.GetFloatv(current_name(slot), value.at);
-  }
-  return value;
-}
-
-bool can_be_read(const Caps& caps, Slot slot) {
-  if (!caps.supported) return false;
-  if (bit(slot) & kTextureSlots) return slot - kTexture < caps.texture_coords;
-  if (slot == kSecondaryColor) return caps.secondary_color;
-  if (slot == kFogCoord) return caps.fog_coord;
-  return true;
-}
+namespace {
 
 bool same_everywhere(const Capture& c, Slot slot, const Quad& quad) {
   const unsigned first = quad.corner[0];
@@ -196,6 +124,8 @@ unsigned corner_at(Param p) {
   return p.v == 0 ? (p.u == 0 ? 0 : 1) : (p.u == 0 ? 3 : 2);
 }
 
+}  // namespace
+
 void draw_mesh(Capture& c, const Quad& quad) {
   const Driver& driver = *c.driver;
   const Caps& caps = c.entry->context->caps;
@@ -205,7 +135,7 @@ void draw_mesh(Capture& c, const Quad& quad) {
 
   const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots);
   const Channel position(c, caps, kPosition, quad);
-  alignas(Channel) unsigned char memory[kMaxChannels * sizeof(Channel)];
+  alignas(Channel) unsigned char memory[Scratch::kMaxChannels * sizeof(Channel)];
   Channel* const channels = reinterpret_cast<Channel*>(memory);
   unsigned count = 0;
   for_each_slot(varying, [&](Slot slot) { new (&channels[count++]) Channel(c, caps, slot, quad); });
@@ -236,15 +166,16 @@ void draw_mesh(Capture& c, const Quad& quad) {
   }
 }
 
-// The corners with their texture coordinates multiplied by lambda; `units`: those of the plan's sets, in order.
 void draw_projected(Capture& c, const Quad& quad, unsigned units) {
   const Caps& caps = c.entry->context->caps;
   const Plan& plan = c.scratch->plan;
   close_mesh(c);
   const SlotMask projected = SlotMask(units) << kTexture;
   const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots & ~projected);
-  c.driver->Begin(GL_QUADS);
-  for (unsigned i = 0; i < 4; ++i) {
+  // In the program's own mode: drivers choose the diagonal by it, and with the diagonal the depths.
+  constexpr unsigned kInOrder[] = {0, 1, 2, 3}, kInStrip[] = {0, 1, 3, 2};
+  c.driver->Begin(c.mode);
+  for (const unsigned i : c.mode == GL_QUAD_STRIP ? kInStrip : kInOrder) {
     const unsigned place = quad.corner[i];
     for_each_slot(varying, [&](Slot slot) { replay_at(c, slot, place); });
     unsigned set = 0;
@@ -257,95 +188,6 @@ void draw_projected(Capture& c, const Quad& quad, unsigned units) {
     replay_at(c, kPosition, place);
   }
   c.driver->End();
-}
-
-Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) {
-    const float(&x)[4] = c.at[slot][quad.corner[i]].at;
-    corners[i] = {x[0], x[1], x[2], x[3]};
-  }
-  return corners;
-}
-
-// The texture sets for the plan: of the units that are enabled and take the program's coordinates.
-struct Sets {
-  Corners of[kTextureUnits];
-  std::size_t count = 0;
-  unsigned units = 0;
-};
-
-}  // namespace
-
-void fill_absent(Capture& c, const Quad& quad, SlotMask slots) {
-  SlotMask absent = 0;
-  for (unsigned place : quad.corner) absent |= slots & ~c.present[place];
-  if (!absent) return;
-  const Caps& caps = caps_of(c);
-  close_mesh(c);
-  for_each_slot(absent, [&](Slot slot) {
-    if (!can_be_read(caps, slot)) return;
-    const Float4 value = read_current(*c.driver, caps, slot);
-    for (unsigned place : quad.corner) {
-      if (c.present[place] & bit(slot)) continue;
-      c.at[slot][place] = value;
-      c.row[slot][place] = float_call(caps, slot, 4);
-      c.present[place] |= bit(slot);
-    }
-  });
-}
-
-Reason correct(Capture& c, const Quad& quad, SlotMask warped) {
-  const Caps& caps = caps_of(c);
-  if (!c.view_read) {
-    close_mesh(c);
-    read_view(*c.driver, caps, c.view);
-    c.view_read = true;
-  }
-  if (c.view.pass != Reason::kNone) return c.view.pass;
-  if (c.extensions_used & ~caps.extensions) return Reason::kMissingExtension;
-  if (c.live & kGenericSlots) return Reason::kGenericAttribute;
-
-  const unsigned live_units = unsigned((c.live & kTextureSlots) >> kTexture);
-  if (live_units & ~c.view.units_read) {
-    close_mesh(c);
-    read_units(*c.driver, caps, live_units, c.view);
-  }
-  const unsigned warped_units = unsigned(warped >> kTexture) & c.view.units_enabled;
-  if (!warped_units) return Reason::kTexturingOff;
-  if (!(warped_units & ~c.view.units_generated)) return Reason::kTextureGeneration;
-
-  fill_absent(c, quad, c.live & kInterpolatedSlots);
-  Sets sets;
-  sets.units = live_units & c.view.units_enabled & ~c.view.units_generated;
-  for_each_slot(SlotMask(sets.units) << kTexture, [&](Slot slot) {
-    sets.of[sets.count++] = corners_of(c, slot, quad);
-  });
-  for (std::size_t i = 0; i < sets.count; ++i) {
-    for (const Vec4& x : sets.of[i]) {
-      if (x.w != 1) return Reason::kOwnQ;
-    }
-  }
-
-  Scratch* const scratch = scratch_of(c);
-  if (!scratch) return Reason::kNoMemory;
-  Plan& result = scratch->plan;
-  Limits limits;
-  limits.tolerance_px = c.options->tolerance_px;
-  limits.max_triangles = kTriangleCap;
-  plan(corners_of(c, kPosition, quad), {sets.of, sets.count}, c.view.view, limits, c.options->mode, result);
-  switch (result.action) {
-    case Action::kPass: return reason_of(result.reason);
-    case Action::kProject: draw_projected(c, quad, sets.units); break;
-    case Action::kMesh: draw_mesh(c, quad); break;
-  }
-  c.counters.correct(result.triangles, result.bound_px, result.capped);
-  if (c.options->overlay) {
-    close_mesh(c);
-    draw_overlay(c, quad, result, {scratch->params, std::size(scratch->params)},
-                 {scratch->triangles, std::size(scratch->triangles)});
-  }
-  return Reason::kNone;
 }
 
 }  // namespace truequad

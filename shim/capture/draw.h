@@ -5,14 +5,14 @@
 
 namespace truequad {
 
-// Gives the corners that lack a slot of `slots` the driver's current value, which is what they had: the slot was
-// first set after them, and not sent since. The capture must be held.
-void fill_absent(Capture& c, const Quad& quad, SlotMask slots);
+// The call that gives `size` floats (1 to 4) of a slot that is interpolated, or of the position.
+RowId float_call(const Caps& caps, Slot slot, unsigned size);
 
-// Plans the quad for the present view and draws it if it needs correction. `warped`: texture slots that show the
-// diagonal. kNone: drawn. Else nothing was drawn, for this reason. The capture must be held.
-Reason correct(Capture& c, const Quad& quad, SlotMask warped);
+// Draws the mesh of the scratch's plan. The driver may be inside our glBegin(GL_TRIANGLES), and is afterwards.
+void draw_mesh(Capture& c, const Quad& quad);
 
-void free_scratch(Scratch* scratch);
+// Draws the corners with their texture coordinates multiplied by the plan's lambda; `units` (bit mask): those of the
+// plan's sets, in order.
+void draw_projected(Capture& c, const Quad& quad, unsigned units);
 
 }  // namespace truequad

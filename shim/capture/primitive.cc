@@ -10,7 +10,8 @@
 #include <new>
 
 #include "capture/capture.h"
-#include "capture/draw.h"
+#include "capture/correct.h"
+#include "capture/drawn.h"
 #include "capture/replay.h"
 #include "capture/state.h"
 #include "kernel/affine_fast.h"
@@ -90,7 +91,7 @@ Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
   return corners;
 }
 
-// The window's first four places, which are A B C D of GL_QUADS and GL_POLYGON.
+// The window's first four places: A B C D of GL_QUADS and GL_POLYGON, the two pairs of a strip.
 const float (&corner_rows(const Capture& c, Slot slot))[4][4] {
   static_assert(sizeof(Float4) == sizeof(float[4]));
   return reinterpret_cast<const float(&)[4][4]>(c.at[slot]);
@@ -134,27 +135,37 @@ Reason judge(Capture& c, const Quad& quad, SlotMask& warped) {
   return warped ? Reason::kNone : reason;
 }
 
+// True if an earlier pass drew, or a later one will want, a mesh over these vertices.
+bool may_be_mesh(const Capture& c, const Quad& quad) {
+  return c.watch == Watch::kMeshes && c.drawn->may_be_mesh(positions_key(c, quad));
+}
+
 // Decides on the completed quad, draws it if it needs correction, counts it. True: forward its last vertex; then the
 // capture is open or passive. False: the driver has the quad; held if it was corrected, else open.
 bool settle(Capture& c, const Quad& quad) {
   ++c.quads;
   if (c.state == State::kPassive) {
     pass(c, c.passive_reason);
+    if (c.watch != Watch::kNothing) note_triangles(c, quad);
     return true;
   }
   if (c.state == State::kHeld) fill_absent(c, quad, c.live & kTextureSlots);
   SlotMask warped = 0;
   Reason reason = judge(c, quad, warped);
-  if (reason == Reason::kNone && c.view_read) reason = c.view.pass;
-  if (reason == Reason::kNone) {
+  const bool needs_look = reason == Reason::kNone || may_be_mesh(c, quad);
+  if (needs_look && c.view_read && c.view.pass != Reason::kNone) {
+    if (reason == Reason::kNone) reason = c.view.pass;
+  } else if (needs_look) {
     if (c.state == State::kOpen) cut(c);
-    reason = correct(c, quad, warped);
-    if (reason == Reason::kNone) {
+    const Reason found = correct(c, quad, warped);
+    if (found == Reason::kNone) {
       c.corrected = true;
       return false;
     }
+    if (reason == Reason::kNone) reason = found;
   }
   pass(c, reason);
+  if (c.watch != Watch::kNothing) note_triangles(c, quad);
   if (c.state == State::kOpen) return true;
   materialise(c);
   return false;
@@ -176,6 +187,17 @@ bool polygon_vertex(Capture& c) {
   return !held;
 }
 
+[[gnu::noinline]] bool finish_quad(Capture& c) {
+  if (c.mode == GL_POLYGON) return polygon_vertex(c);
+  const bool forward = settle(c, completed_quad(c));
+  if (c.mode == GL_QUADS) {
+    c.next = 0;
+  } else {
+    next_strip_quad(c);
+  }
+  return forward;
+}
+
 // A window that ends here as an incomplete quad, dropped by GL.
 bool leftover(const Capture& c) {
   const unsigned count = window_order(c).count;
@@ -191,7 +213,7 @@ void free_capture(void* own) {
   entry.own = nullptr;
   set_active(entry, nullptr);
   stats_detach(c->counters);
-  free_scratch(c->scratch);
+  free_working_memory(*c);
   delete c;
 }
 
@@ -217,6 +239,15 @@ Reason passive_reason(const Entry& e, const Options& settings) {
   return Reason::kNone;
 }
 
+// What to watch for in this Begin.
+Watch watch(Capture& c, Reason reason) {
+  // In a list nothing is drawn yet; in a context that is unknown nothing was corrected.
+  if (reason != Reason::kNone) return Watch::kNothing;
+  if (!c.drawn && passes_meet()) c.drawn = Drawn::allocate();
+  if (!c.drawn) return Watch::kNothing;
+  return c.drawn->any_mesh() ? Watch::kMeshes : passes_meet() ? Watch::kTriangles : Watch::kNothing;
+}
+
 void start(Capture& c, const Entry& e, GLenum mode) {
   const Reason reason = passive_reason(e, *c.options);
   c.mode = mode;
@@ -227,6 +258,8 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.extensions_used = 0;
   c.quads = 0;
   c.began = c.mesh_open = c.corrected = c.view_read = false;
+  c.watch = watch(c, reason);
+  if (c.watch == Watch::kNothing) c.unnoted = true;
   if (reason != Reason::kNone) {
     c.passive_reason = reason;
     c.live = ~SlotMask(0);
@@ -240,15 +273,15 @@ void start(Capture& c, const Entry& e, GLenum mode) {
 }  // namespace
 
 bool quad_complete(Capture& c) {
-  // The usual quad: affine in its only texture.
-  if (c.state == State::kOpen && (c.live & kTextureSlots) == bit(kTexture)) [[likely]] {
+  // The usual quad: affine in its only texture. Nothing here but what returns at once, so that no register is saved.
+  if (c.state == State::kOpen && (c.live & kTextureSlots) == bit(kTexture) && c.watch == Watch::kNothing) [[likely]] {
     if (c.mode == GL_QUADS) {
       if (truequad::surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture))) [[likely]] {
         c.counters.pass(Reason::kAffine);
         c.next = 0;
         return true;
       }
-    } else if (surely_affine(c, kTexture, kStripQuad)) {
+    } else if (truequad::surely_affine<Order::kStrip>(corner_rows(c, kPosition), corner_rows(c, kTexture))) {
       // Which pair is the older one does not matter to the test.
       c.counters.pass(Reason::kAffine);
       ++c.quads;
@@ -256,14 +289,7 @@ bool quad_complete(Capture& c) {
       return true;
     }
   }
-  if (c.mode == GL_POLYGON) return polygon_vertex(c);
-  const bool forward = settle(c, completed_quad(c));
-  if (c.mode == GL_QUADS) {
-    c.next = 0;
-  } else {
-    next_strip_quad(c);
-  }
-  return forward;
+  return finish_quad(c);
 }
 
 void set_first(Capture& c, Slot slot) {

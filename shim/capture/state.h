@@ -14,11 +14,19 @@
 namespace truequad {
 
 struct Scratch;
+class Drawn;
 
 enum class State : std::uint8_t {
   kOpen,     // the driver is inside the program's Begin: calls are recorded and forwarded
   kHeld,     // it is outside (or inside our own glBegin(GL_TRIANGLES)): calls are recorded only
   kPassive,  // calls are forwarded; quads are counted
+};
+
+// What quads that need no correction are looked at for, because of other passes over the same vertices (drawn.h).
+enum class Watch : std::uint8_t {
+  kNothing,
+  kTriangles,  // noted, in case that a later pass needs correction
+  kMeshes,     // and looked up, in case that an earlier pass was corrected
 };
 
 // The arguments of a call whose numbers are not floats: bytes of the numbers, then of what else the call takes.
@@ -36,6 +44,7 @@ struct Capture {
   std::uint32_t due = 0;    // place of the vertex that completes a quad
   State state = State::kPassive;
   bool forwarding = true;   // calls go to the driver: state != kHeld
+  Watch watch = Watch::kNothing;
   Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, or give up
   std::uint32_t extensions_used = 0;  // bit i: a call of kExtensions[i]
 
@@ -62,6 +71,8 @@ struct Capture {
   // The thread.
   bool start_held = false;  // the last primitive was corrected: the next one probably will be
   Scratch* scratch = nullptr;
+  Drawn* drawn = nullptr;
+  bool unnoted = false;     // quads were drawn since the last clear that `drawn` does not know
   Counters counters;
 };
 

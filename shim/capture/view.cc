@@ -68,6 +68,16 @@ Reason find_reason(const Driver& driver, const Caps& caps) {
   return Reason::kNone;
 }
 
+void read_tests(const Driver& driver, FrameView& out) {
+  if (driver.IsEnabled(GL_DEPTH_TEST)) {
+    const GLint function = get(driver, GL_DEPTH_FUNC);
+    out.meets_earlier = function != GL_ALWAYS && function != GL_NEVER;
+    out.equals_earlier = function == GL_EQUAL || function == GL_NOTEQUAL;
+    out.meets_later = function != GL_NEVER && get(driver, GL_DEPTH_WRITEMASK) != 0;
+  }
+  if (driver.IsEnabled(GL_STENCIL_TEST)) out.meets_earlier = out.meets_later = true;
+}
+
 }  // namespace
 
 void read_view(const Driver& driver, const Caps& caps, FrameView& out) {
@@ -84,6 +94,7 @@ void read_view(const Driver& driver, const Caps& caps, FrameView& out) {
   out.view.snap_px = caps.snap_px;
 
   out.lighting = driver.IsEnabled(GL_LIGHTING);
+  read_tests(driver, out);
   out.flat = get(driver, GL_SHADE_MODEL) == GL_FLAT;
   out.first_vertex_provokes = out.flat && caps.provoking_vertex && caps.quads_follow_provoking &&
                               get(driver, GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION;

@@ -13,6 +13,9 @@ struct FrameView {
   bool flat = false;
   bool lighting = false;
   bool first_vertex_provokes = false;  // of a GL_QUADS or GL_QUAD_STRIP quad, under flat shading
+  // Passes over the same vertices (drawn.h): the picture depends on what earlier ones drew; only on where they drew it
+  // just so (GL_EQUAL); and later ones may depend on this one.
+  bool meets_earlier = false, equals_earlier = false, meets_later = false;
   // Bit masks over texture units; valid for the units of units_read.
   unsigned units_read = 0, units_enabled = 0, units_generated = 0;
 };

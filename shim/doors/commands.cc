@@ -19,6 +19,14 @@ TRUEQUAD_DOOR void GLAPIENTRY glBegin(GLenum mode) { truequad::begin(truequad::e
 TRUEQUAD_DOOR void GLAPIENTRY glEnd() { truequad::end(truequad::entry); }
 TRUEQUAD_DOOR void GLAPIENTRY glNewList(GLuint list, GLenum mode) { truequad::new_list(truequad::entry, list, mode); }
 TRUEQUAD_DOOR void GLAPIENTRY glEndList() { truequad::end_list(truequad::entry); }
+TRUEQUAD_DOOR void GLAPIENTRY glClear(GLbitfield mask) { truequad::clear(truequad::entry, mask); }
+TRUEQUAD_DOOR void GLAPIENTRY glDepthFunc(GLenum function) { truequad::depth_func(truequad::entry, function); }
+TRUEQUAD_DOOR void GLAPIENTRY glStencilOp(GLenum fail, GLenum depth_fail, GLenum pass) {
+  truequad::stencil_op(truequad::entry, fail, depth_fail, pass);
+}
+TRUEQUAD_DOOR void GLAPIENTRY glStencilOpSeparate(GLenum face, GLenum fail, GLenum depth_fail, GLenum pass) {
+  truequad::stencil_op_separate(truequad::entry, face, fail, depth_fail, pass);
+}
 
 }  // extern "C"
 

@@ -69,6 +69,14 @@ using Byte = unsigned char;
     return tq_real arguments;                               \
   }
 
+#define TQ_SWAP(api, result, name, parameters, arguments) \
+  TRUEQUAD_DOOR result name parameters {                  \
+    TQ_REAL(api, result, name, parameters);               \
+    truequad::settle();                                   \
+    truequad::frame_ended(truequad::entry);               \
+    return tq_real arguments;                             \
+  }
+
 #define TQ_MAKE_CURRENT(api, result, name, parameters, arguments, context) \
   TRUEQUAD_DOOR result name parameters {                                   \
     TQ_REAL(api, result, name, parameters);                                \
@@ -106,6 +114,7 @@ extern "C" {
 #include "doors/window_system_doors.inc"
 }
 
+#undef TQ_SWAP
 #undef TQ_SETTLE
 #undef TQ_MAKE_CURRENT
 #undef TQ_CREATE
@@ -120,6 +129,7 @@ void* window_system_door(std::string_view name) {
     void* function;
   };
 #define TQ_DOOR(function) {#function, reinterpret_cast<void*>(&function)},
+#define TQ_SWAP(api, result, name, ...) TQ_DOOR(name)
 #define TQ_SETTLE(api, result, name, ...) TQ_DOOR(name)
 #define TQ_MAKE_CURRENT(api, result, name, ...) TQ_DOOR(name)
 #define TQ_CREATE(api, name, ...) TQ_DOOR(name)

@@ -242,6 +242,10 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
 
 }  // namespace
 
+double block_bound(const ErrorModel& model, const Budget& budget, const Plan& plan) {
+  return verify(model, plan, budget.mesh_px, kDepth).worst();
+}
+
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan) {
   const std::array<MeshPoint, 4> corner{mesh_point(model, 0, 0), mesh_point(model, 1, 0),
                                         mesh_point(model, 1, 1), mesh_point(model, 0, 1)};

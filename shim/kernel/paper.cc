@@ -55,7 +55,21 @@ double projected_area(const ScreenQuad& quad) {
   return triangle(0, 1, 2) + triangle(0, 2, 3);
 }
 
+std::array<MeshPoint, 4> points(const ErrorModel& model, const Leaf& leaf) {
+  return {mesh_point(model, leaf.u0, leaf.v0), mesh_point(model, leaf.u1, leaf.v0),
+          mesh_point(model, leaf.u1, leaf.v1), mesh_point(model, leaf.u0, leaf.v1)};
+}
+
 }  // namespace
+
+double leaves_bound(const ErrorModel& model, const Plan& plan) {
+  double bound = 0;
+  for (const Leaf& leaf : std::span(plan.leaves.data(), plan.leaf_count)) {
+    const auto [a, b, c, d] = points(model, leaf);
+    bound = std::max({bound, triangle_bound(model, a, b, c, 0, 0), triangle_bound(model, a, c, d, 0, 0)});
+  }
+  return bound;
+}
 
 void plan_paper(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
                 const Budget& budget, Plan& plan) {
@@ -94,19 +108,16 @@ void plan_paper(const Corners& position, std::span<const Corners> textures, cons
   plan.action = plan.leaf_count == 1 ? Action::kPass : Action::kMesh;
   plan.reason = plan.leaf_count == 1 ? PassReason::kWithinTolerance : PassReason::kNone;
   plan.triangles = int(2 * plan.leaf_count);
-  plan.bound_px = 0;
-  for (const Leaf& leaf : std::span(plan.leaves.data(), plan.leaf_count)) {
-    const MeshPoint a = mesh_point(model, leaf.u0, leaf.v0), b = mesh_point(model, leaf.u1, leaf.v0),
-                    c = mesh_point(model, leaf.u1, leaf.v1), d = mesh_point(model, leaf.u0, leaf.v1);
+  plan.bound_px = leaves_bound(model, plan);
+  // A single leaf is drawn by the driver, which may choose the other diagonal.
+  if (plan.leaf_count == 1) {
+    const auto [a, b, c, d] = points(model, plan.leaves[0]);
     plan.bound_px =
-        std::max({plan.bound_px, triangle_bound(model, a, b, c, 0, 0), triangle_bound(model, a, c, d, 0, 0)});
-    // Drawn by the driver, which may choose the other diagonal.
-    if (plan.leaf_count == 1) {
-      plan.bound_px = std::max(
-          {plan.bound_px, triangle_bound(model, a, b, d, 0, 0), triangle_bound(model, b, c, d, 0, 0)});
-    }
+        std::max({plan.bound_px, triangle_bound(model, a, b, d, 0, 0), triangle_bound(model, b, c, d, 0, 0)});
   }
   plan.bound_px += budget.snap_px;
+  // The published algorithm promises nothing: its leaves keep the tolerance or they do not.
+  plan.capped |= plan.action == Action::kMesh && !(plan.bound_px <= budget.tolerance_px);
   if (plan.leaf_count == 1) plan.leaf_count = 0;
 }
 

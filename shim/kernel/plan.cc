@@ -1,6 +1,7 @@
 // plan(): what to draw for one quad, from its shape, its view and the mode; docs/design.md "Choosing a mesh".
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planners.h"
 
@@ -90,6 +91,23 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
   if (!kernel::add_texture_maps(position, textures, model)) return pass(out, PassReason::kOwnQ);
   if (mode == Mode::kPaper) return kernel::plan_paper(position, textures, model, budget, out);
   kernel::plan_bilinear(model, budget, out);
+}
+
+void bound_mesh(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
+                Plan& mesh) {
+  textures = textures.first(std::min(textures.size(), kMaxTextureSets));
+  const Budget budget = kernel::make_budget(limits, view);
+  mesh.bound_px = 0;
+  if (classify(position, textures) == Shape::kWarped) {
+    ErrorModel model;
+    const bool known = kernel::make_screen_quad(position, view, model.screen) &&
+                       kernel::add_texture_maps(position, textures, model);
+    mesh.bound_px = !known                ? std::numeric_limits<double>::infinity()
+                    : mesh.leaf_count > 0 ? kernel::leaves_bound(model, mesh)
+                                          : kernel::block_bound(model, budget, mesh);
+  }
+  mesh.bound_px += budget.snap_px;
+  mesh.capped = !(mesh.bound_px <= budget.tolerance_px);
 }
 
 }  // namespace truequad

@@ -22,6 +22,12 @@ Budget make_budget(const Limits& limits, const View& view);
 // constant nor affine.
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan);
 
+// Largest displacement of a texel by the block or fan of a plan, without the rasteriser's part.
+double block_bound(const ErrorModel& model, const Budget& budget, const Plan& plan);
+
+// The same by the leaves of a plan.
+double leaves_bound(const ErrorModel& model, const Plan& plan);
+
 // Oliveira 2001 as published.
 void plan_paper(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
                 const Budget& budget, Plan& plan);

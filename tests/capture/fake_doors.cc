@@ -24,6 +24,12 @@ Driver make_doors() {
   d.End = [] { end(entry); };
   d.NewList = [](GLuint list, GLenum mode) { new_list(entry, list, mode); };
   d.EndList = [] { end_list(entry); };
+  d.Clear = [](GLbitfield mask) { clear(entry, mask); };
+  d.DepthFunc = [](GLenum function) { depth_func(entry, function); };
+  d.StencilOp = [](GLenum fail, GLenum zfail, GLenum pass) { stencil_op(entry, fail, zfail, pass); };
+  d.StencilOpSeparate = [](GLenum face, GLenum fail, GLenum zfail, GLenum pass) {
+    stencil_op_separate(entry, face, fail, zfail, pass);
+  };
   return d;
 }
 

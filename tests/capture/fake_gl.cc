@@ -393,14 +393,12 @@ struct Functions {
   static Driver table() {
     Driver d;
 #define TQ_COMMAND(name, result, parameters, arguments) d.name = other_function<kCommand##name>(decltype(d.name){});
-#include "other_calls.inc"
+#include "gl_commands.inc"
 #undef TQ_COMMAND
 #define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_) \
   d.Name = attribute_function<kCommand##Name, kRows[kRow##Name]>(decltype(d.Name){});
 #include "attribute_calls.inc"
 #undef TQ_ATTRIBUTE
-    d.NewList = other_function<kCommandNewList>(d.NewList);
-    d.EndList = other_function<kCommandEndList>(d.EndList);
     d.Begin = begin;
     d.End = end;
     d.GetError = get_error;

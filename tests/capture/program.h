@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "capture/capture.h"
+#include "capture/drawn.h"
 #include "capture/state.h"
 #include "fake_gl.h"
 
@@ -24,6 +25,14 @@ inline Gl through_doors(const Program& program, const Gl& start = Gl()) {
   make_current();
   program(doors());
   return gl();
+}
+
+// As if this thread had drawn nothing yet.
+inline void delete_thread_memory() {
+  if (!entry.own) return;
+  Drawn::free(entry.own->drawn);
+  entry.own->drawn = nullptr;
+  entry.own->unnoted = false;
 }
 
 // Counters of this thread, which only grow.

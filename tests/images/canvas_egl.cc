@@ -23,6 +23,10 @@ void open_canvas(int width, int height) {
                            8,
                            EGL_ALPHA_SIZE,
                            8,
+                           EGL_DEPTH_SIZE,
+                           24,
+                           EGL_STENCIL_SIZE,
+                           8,
                            EGL_NONE};
   const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
   EGLConfig config = nullptr;

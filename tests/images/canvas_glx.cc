@@ -22,6 +22,10 @@ void open_canvas(int width, int height) {
                         8,
                         GLX_ALPHA_SIZE,
                         8,
+                        GLX_DEPTH_SIZE,
+                        24,
+                        GLX_STENCIL_SIZE,
+                        8,
                         None};
   const int size[] = {GLX_PBUFFER_WIDTH, width, GLX_PBUFFER_HEIGHT, height, None};
   int count = 0;

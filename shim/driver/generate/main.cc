@@ -43,7 +43,8 @@ void write_command(const Command& command, std::ostream& out) {
 
 // The doors of these are written by hand.
 bool has_own_door(const std::string& name) {
-  static const std::set<std::string> names = {"Begin", "End", "NewList", "EndList"};
+  static const std::set<std::string> names = {"Begin", "Clear",     "DepthFunc",        "End",
+                                             "EndList", "NewList", "StencilOp", "StencilOpSeparate"};
   return names.contains(name);
 }
 

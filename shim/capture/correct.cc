@@ -1,0 +1,218 @@
+#include "capture/correct.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "capture/draw.h"
+#include "capture/drawn.h"
+#include "capture/overlay.h"
+#include "capture/scratch.h"
+
+namespace truequad {
+namespace {
+
+Scratch* scratch_of(Capture& c) {
+  // Pages that no mesh is large enough to touch are never backed by memory.
+  if (!c.scratch) {
+    void* memory = std::aligned_alloc(64, (sizeof(Scratch) + 63) / 64 * 64);
+    if (memory) c.scratch = new (memory) Scratch;
+  }
+  return c.scratch;
+}
+
+
+// Why no quad of this Begin can be drawn otherwise; the view is read first. kNone: it can.
+Reason find_reason(Capture& c) {
+  const Caps& caps = caps_of(c);
+  if (!c.view_read) {
+    close_mesh(c);
+    read_view(*c.driver, caps, c.view);
+    c.view_read = true;
+  }
+  if (c.view.pass != Reason::kNone) return c.view.pass;
+  if (c.extensions_used & ~caps.extensions) return Reason::kMissingExtension;
+  if (c.live & kGenericSlots) return Reason::kGenericAttribute;
+  return Reason::kNone;
+}
+
+// Units whose coordinates the program gives and the driver uses.
+unsigned textured_units(Capture& c) {
+  const unsigned live_units = unsigned((c.live & kTextureSlots) >> kTexture);
+  if (live_units & ~c.view.units_read) {
+    close_mesh(c);
+    read_units(*c.driver, caps_of(c), live_units, c.view);
+  }
+  return live_units & c.view.units_enabled & ~c.view.units_generated;
+}
+
+// The texture coordinates of a plan, as the kernel takes them.
+struct Sets {
+  Corners of[kTextureUnits];
+  std::size_t count = 0;
+
+  explicit Sets(const PlannedFor& from) {
+    for_each_slot(SlotMask(from.units), [&](unsigned unit) {
+      Corners& corners = of[count++];
+      for (int i = 0; i < 4; ++i) {
+        const float(&x)[4] = from.texture[unit][i].at;
+        corners[i] = {x[0], x[1], x[2], x[3]};
+      }
+    });
+  }
+  std::span<const Corners> all() const { return {of, count}; }
+};
+
+Corners positions_of(const Capture& c, const Quad& quad) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) {
+    const float(&x)[4] = c.at[kPosition][quad.corner[i]].at;
+    corners[i] = {x[0], x[1], x[2], x[3]};
+  }
+  return corners;
+}
+
+PlannedFor own_sets(Capture& c, const Quad& quad) {
+  PlannedFor sets;
+  sets.units = textured_units(c);
+  for_each_slot(SlotMask(sets.units), [&](unsigned unit) {
+    for (int i = 0; i < 4; ++i) sets.texture[unit][i] = c.at[kTexture + unit][quad.corner[i]];
+  });
+  return sets;
+}
+
+bool same_sets(const PlannedFor& a, const PlannedFor& b) {
+  bool same = a.units == b.units;
+  for_each_slot(SlotMask(a.units), [&](unsigned unit) {
+    same = same && !std::memcmp(a.texture[unit], b.texture[unit], sizeof a.texture[unit]);
+  });
+  return same;
+}
+
+bool gives_own_q(const PlannedFor& sets) {
+  bool own = false;
+  for_each_slot(SlotMask(sets.units), [&](unsigned unit) {
+    for (const Float4& x : sets.texture[unit]) own |= x.at[3] != 1;
+  });
+  return own;
+}
+
+Limits limits_of(const Capture& c) {
+  Limits limits;
+  limits.tolerance_px = c.options->tolerance_px;
+  limits.max_triangles = Scratch::kTriangleCap;
+  return limits;
+}
+
+void plan_for(Capture& c, const Quad& quad, const PlannedFor& sets) {
+  plan(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.options->mode, c.scratch->plan);
+}
+
+// What nothing but the quad itself and its texture units decides.
+Reason find_reason(Capture& c, const PlannedFor& sets, SlotMask warped) {
+  const unsigned warped_units = unsigned(warped >> kTexture) & c.view.units_enabled;
+  if (!warped_units) return Reason::kTexturingOff;
+  if (!(warped_units & ~c.view.units_generated)) return Reason::kTextureGeneration;
+  if (gives_own_q(sets)) return Reason::kOwnQ;
+  return Reason::kNone;
+}
+
+Drawn* memory_of(Capture& c) {
+  if (!c.drawn) c.drawn = Drawn::allocate();
+  return c.drawn;
+}
+
+// Two triangles of these vertices are in the buffers, and a mesh would miss them; or they may be.
+bool must_meet_triangles(const Capture& c, PassKey positions, PassKey seen) {
+  if (c.view.equals_earlier) return true;
+  if (!c.view.meets_earlier || !c.drawn) return false;
+  // Without room for one more, the passes that follow would have to draw triangles again.
+  if (passes_meet() && (c.unnoted || (c.view.meets_later && !c.drawn->can_keep(seen)))) return true;
+  return c.drawn->has_triangles(positions) || c.drawn->has_triangles(seen);
+}
+
+void draw(Capture& c, const Quad& quad, unsigned units) {
+  Plan& plan = c.scratch->plan;
+  if (plan.action == Action::kMesh) draw_mesh(c, quad);
+  else draw_projected(c, quad, units);
+  c.counters.correct(plan.triangles, plan.bound_px, plan.capped);
+  if (c.options->overlay) {
+    close_mesh(c);
+    draw_overlay(c, quad, plan, {c.scratch->params, std::size(c.scratch->params)},
+                 {c.scratch->triangles, std::size(c.scratch->triangles)});
+  }
+}
+
+}  // namespace
+
+const Caps& caps_of(Capture& c) {
+  ContextRecord& record = *c.entry->context;
+  if (!record.caps_read) {
+    close_mesh(c);
+    record.caps = read_caps(*c.driver);
+    record.caps_read = true;
+  }
+  return record.caps;
+}
+
+Reason correct(Capture& c, const Quad& quad, SlotMask warped) {
+  if (const Reason reason = find_reason(c); reason != Reason::kNone) return reason;
+  if (!scratch_of(c)) return Reason::kNoMemory;
+  Plan& plan = c.scratch->plan;
+
+  const PassKey positions = positions_key(c, quad), seen = with_view(positions, c.view.view);
+  const PlannedFor* const before = c.drawn ? c.drawn->mesh(seen) : nullptr;
+  if (!before && !warped && !(c.drawn && c.drawn->wanted(positions))) return Reason::kAffine;
+
+  fill_absent(c, quad, c.live & kInterpolatedSlots);
+  PlannedFor sets = own_sets(c, quad);
+  if (before) {
+    plan_for(c, quad, *before);
+    if (!same_sets(sets, *before)) {
+      bound_mesh(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), plan);
+    }
+    draw(c, quad, sets.units);
+    return Reason::kNone;
+  }
+  const Reason reason = warped ? find_reason(c, sets, warped) : Reason::kAffine;
+  if (reason == Reason::kNone) {
+    plan_for(c, quad, sets);
+    if (plan.action == Action::kPass) return reason_of(plan.reason);
+    if (plan.action == Action::kMesh && must_meet_triangles(c, positions, seen)) {
+      sets.key = positions;
+      if (memory_of(c)) c.drawn->want_mesh(sets);
+      return Reason::kEarlierPass;
+    }
+  } else {
+    // A later pass will want a mesh, as it did in an earlier frame.
+    const PlannedFor* const wanted = c.drawn && c.view.meets_later ? c.drawn->wanted(positions) : nullptr;
+    if (!wanted || must_meet_triangles(c, positions, seen)) return reason;
+    sets = *wanted;
+    plan_for(c, quad, sets);
+    if (plan.action != Action::kMesh) return reason;
+    const PlannedFor own = own_sets(c, quad);
+    bound_mesh(positions_of(c, quad), Sets(own).all(), c.view.view, limits_of(c), plan);
+  }
+  if (plan.action == Action::kMesh && c.view.meets_later && memory_of(c)) {
+    sets.key = seen;
+    c.drawn->keep_mesh(positions, sets);
+    c.watch = Watch::kMeshes;
+  } else if (plan.action == Action::kProject && c.watch != Watch::kNothing) {
+    c.drawn->note_triangles(seen);
+  }
+  draw(c, quad, sets.units);
+  return Reason::kNone;
+}
+
+void note_triangles(Capture& c, const Quad& quad) {
+  const PassKey positions = positions_key(c, quad);
+  const bool view_known = c.view_read && c.view.pass == Reason::kNone;
+  c.drawn->note_triangles(view_known ? with_view(positions, c.view.view) : positions);
+}
+
+void free_working_memory(Capture& c) {
+  std::free(c.scratch);
+  Drawn::free(c.drawn);
+}
+
+}  // namespace truequad
