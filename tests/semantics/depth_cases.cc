@@ -37,7 +37,7 @@ void depths(const Shape& shape, const std::string& name) {
     begin_frame(shape);
     draw(shape, {.coordinates = coordinates});
     glReadPixels(0, 0, kWidth, kHeight, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, values.data());
-    record(name + (coordinates == C::kWarped  ? " warped"
+    record(name + (coordinates == C::kWarped ? " warped"
                    : coordinates == C::kNone ? " plain"
                                              : " twisted"),
            values);
@@ -67,8 +67,10 @@ void over_nearer(const Shape& shape, const std::string& name) {
 template <bool test>
 void no_depths(const Shape& shape, const std::string& name) {
   begin_frame(shape);
-  if (test) glDepthMask(GL_FALSE);
-  else glDisable(GL_DEPTH_TEST);
+  if (test)
+    glDepthMask(GL_FALSE);
+  else
+    glDisable(GL_DEPTH_TEST);
   draw(shape, kFirst);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
@@ -173,20 +175,18 @@ const std::vector<PassesCase>& depth_cases() {
        passes<Pass{.channel = kUnseen}, Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1}>},
       {"prepass_lequal",
        passes<Pass{.channel = kUnseen}, Pass{.coordinates = C::kWarped, .depth = GL_LEQUAL, .channel = 1}>},
-      {"prepass_affine_equal",
-       passes<Pass{.coordinates = C::kAffine, .channel = kUnseen},
-              Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1}>},
+      {"prepass_affine_equal", passes<Pass{.coordinates = C::kAffine, .channel = kUnseen},
+                                      Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1}>},
       {"prepass_list_equal",
        passes_from_list<Pass{.channel = kUnseen, .way = Way::kList},
-              Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1}>},
+                        Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1}>},
       {"untextured_then_warped",
        passes<Pass{}, Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1}>},
       {"prepass_colour_light",
        passes<Pass{.channel = kUnseen}, Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1},
               Pass{.coordinates = C::kOther, .depth = GL_EQUAL, .channel = 2}>},
-      {"colour_light_fog",
-       passes<kFirst, Pass{.coordinates = C::kTwisted, .depth = GL_EQUAL, .channel = 1},
-              Pass{.depth = GL_EQUAL, .channel = 2}>},
+      {"colour_light_fog", passes<kFirst, Pass{.coordinates = C::kTwisted, .depth = GL_EQUAL, .channel = 1},
+                                  Pass{.depth = GL_EQUAL, .channel = 2}>},
       {"always_over_nearer", over_nearer<GL_ALWAYS>},
       {"greater_over_nearer", over_nearer<GL_GREATER>},
       {"depth_mask_off", no_depths<true>},

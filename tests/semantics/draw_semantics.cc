@@ -1,5 +1,5 @@
-// draw_semantics_API CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL for COUNT seeds and writes its
-// records. A program like any other, which knows nothing of truequad.
+// draw_semantics_API CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL for COUNT seeds and
+// writes its records. A program like any other, which knows nothing of truequad.
 #include <cstdio>
 #include <cstdlib>
 
@@ -27,6 +27,18 @@ bool draw_passes(const std::string& wanted, unsigned first, unsigned seeds) {
   return false;
 }
 
+bool draw_scene(const std::string& wanted, unsigned first, unsigned seeds) {
+  for (const auto* scenes : {&colour_scenes(), &light_scenes(), &polygon_scenes(), &texture_scenes(),
+                             &query_scenes(), &state_scenes(), &call_scenes()}) {
+    for (const Scene& scene : *scenes) {
+      if (wanted != scene.name) continue;
+      scene.draw(first, seeds);
+      return true;
+    }
+  }
+  return false;
+}
+
 int run(int count, char** arguments) {
   if (count != 5) {
     std::fprintf(stderr, "usage: %s CASE FIRST COUNT FILE\n", arguments[0]);
@@ -34,7 +46,8 @@ int run(int count, char** arguments) {
   }
   images::open_canvas(kWidth, kHeight);
   open_records(arguments[4]);
-  if (!draw_passes(arguments[1], unsigned(std::atoi(arguments[2])), unsigned(std::atoi(arguments[3])))) {
+  const unsigned first = unsigned(std::atoi(arguments[2])), seeds = unsigned(std::atoi(arguments[3]));
+  if (!draw_passes(arguments[1], first, seeds) && !draw_scene(arguments[1], first, seeds)) {
     std::fprintf(stderr, "%s: there is no case named %s\n", arguments[0], arguments[1]);
     return 2;
   }

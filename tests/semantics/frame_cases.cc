@@ -1,5 +1,5 @@
-// Passes over the same vertices while something else moves: the camera, the object, the viewport, the depth range, the
-// polygon offset.
+// Passes over the same vertices while something else moves: the camera, the object, the viewport, the depth
+// range, the polygon offset.
 #include <cmath>
 
 #include "cases.h"
@@ -148,8 +148,8 @@ void offset_both(const Shape& shape, const std::string& name) {
   record_picture(name);
 }
 
-// A smaller picture of the surface in its own plane, pulled forward: red is the decal alone, blue the wall, green
-// the decal on the wall.
+// A smaller picture of the surface in its own plane, pulled forward: red is the decal alone, blue the wall,
+// green the decal on the wall.
 template <C wall, C picture>
 void decal(const Shape& shape, const std::string& name) {
   Shape smaller = shape;
@@ -159,7 +159,8 @@ void decal(const Shape& shape, const std::string& name) {
       // Only these lie in one plane to the last bit.
       if (v.position[2] != 0) return;
       for (const std::size_t i : {0u, 1u}) {
-        v.position[i] = 0.5f * v.position[i] + (shape.primitives[0].mode == GL_QUADS ? 0.25f * centre.position[i] : 0);
+        v.position[i] =
+            0.5f * v.position[i] + (shape.primitives[0].mode == GL_QUADS ? 0.25f * centre.position[i] : 0);
       }
     }
   }

@@ -8,18 +8,24 @@ namespace {
 std::array<float, 2> coordinates_of(Coordinates kind, const Vertex& v) {
   const float u = v.u, w = v.v;
   switch (kind) {
-    case Coordinates::kAffine: return {0.5f * v.position[0], 0.5f * v.position[1]};
-    case Coordinates::kOther: return {0.75f * u + 0.25f * w + 0.5f * u * w, w - 0.5f * u * w};
-    case Coordinates::kTwisted: return {12 * u - 20 * u * w, 9 * w + 16 * u * w};
-    default: return {u, w};
+    case Coordinates::kAffine:
+      return {0.5f * v.position[0], 0.5f * v.position[1]};
+    case Coordinates::kOther:
+      return {0.75f * u + 0.25f * w + 0.5f * u * w, w - 0.5f * u * w};
+    case Coordinates::kTwisted:
+      return {12 * u - 20 * u * w, 9 * w + 16 * u * w};
+    default:
+      return {u, w};
   }
 }
 
 void send(const Vertex& v, const Pass& pass) {
   if (pass.coordinates != Coordinates::kNone) {
     const auto t = coordinates_of(pass.coordinates, v);
-    if (pass.way == Way::kDoubles) glTexCoord2d(t[0], t[1]);
-    else glTexCoord2f(t[0], t[1]);
+    if (pass.way == Way::kDoubles)
+      glTexCoord2d(t[0], t[1]);
+    else
+      glTexCoord2f(t[0], t[1]);
   }
   if (pass.second != Coordinates::kNone) {
     const auto t = coordinates_of(pass.second, v);
@@ -50,8 +56,10 @@ void send_arrays(const Primitive& primitive, const Pass& pass) {
 
 void texturing(GLenum unit, Coordinates coordinates) {
   glActiveTexture(unit);
-  if (coordinates == Coordinates::kNone || coordinates == Coordinates::kUnused) glDisable(GL_TEXTURE_2D);
-  else glEnable(GL_TEXTURE_2D);
+  if (coordinates == Coordinates::kNone || coordinates == Coordinates::kUnused)
+    glDisable(GL_TEXTURE_2D);
+  else
+    glEnable(GL_TEXTURE_2D);
   glActiveTexture(GL_TEXTURE0);
 }
 

@@ -1,5 +1,5 @@
-// One pass over a shape's vertices. Every fragment that survives adds kTouch to one channel, so that the picture tells
-// how often each pixel was touched.
+// One pass over a shape's vertices. Every fragment that survives adds kTouch to one channel, so that the
+// picture tells how often each pixel was touched.
 #pragma once
 
 #include "shapes.h"

@@ -28,36 +28,45 @@ std::map<std::string, std::string> parse(const std::string& bytes) {
   return records;
 }
 
-Outcome run(const Job& job, const std::map<std::string, std::string>& settings, bool with_truequad) {
+}  // namespace
+
+Outcome run_program(std::vector<std::string> words, bool with_truequad, const std::string& mode) {
   const doors_test::Scratch scratch;
   const std::string records = scratch / "records", statistics = scratch / "statistics";
-  auto environment = settings;
-  if (with_truequad) environment["TRUEQUAD_STATS"] = statistics;
-  const doors_test::Ended ended =
-      doors_test::run({DRAW_SEMANTICS_PREFIX + job.interface, job.scene, std::to_string(job.first),
-                       std::to_string(job.seeds), records},
-                      environment);
+  std::map<std::string, std::string> environment;
+  if (with_truequad) {
+    environment = {{"LD_PRELOAD", TRUEQUAD_PRELOAD},
+                   {"TRUEQUAD_MODE", mode},
+                   {"TRUEQUAD_TOLERANCE", "0.25"},
+                   {"TRUEQUAD_STATS", statistics}};
+  }
+  words.push_back(records);
+  const doors_test::Ended ended = doors_test::run(words, environment);
   Outcome result;
-  EXPECT_EQ(ended.status, 0) << job.interface << " " << job.scene << ": " << ended.err;
+  EXPECT_EQ(ended.status, 0) << words[0] << " " << words[1] << ": " << ended.err;
   if (ended.status != 0) return result;
   result.records = parse(doors_test::read_file(records));
   if (!with_truequad) return result;
   const auto json = nlohmann::json::parse(doors_test::read_file(statistics), nullptr, false);
-  EXPECT_TRUE(json.is_object()) << "no statistics from " << job.scene;
+  EXPECT_TRUE(json.is_object()) << "no statistics from " << words[1];
   if (!json.is_object()) return result;
   result.quads = json.value("quads", 0L);
   result.corrected = json.value("corrected", 0L);
-  if (json.contains("pass_reasons")) result.pass_reasons = json["pass_reasons"].get<std::map<std::string, long>>();
   return result;
+}
+
+namespace {
+
+std::vector<std::string> words_of(const Job& job) {
+  return {DRAW_SEMANTICS_PREFIX + job.interface, job.scene, std::to_string(job.first),
+          std::to_string(job.seeds)};
 }
 
 }  // namespace
 
-Outcome run_natively(const Job& job) { return run(job, {}, false); }
-
+Outcome run_natively(const Job& job) { return run_program(words_of(job), false); }
 Outcome run_with_truequad(const Job& job, const std::string& mode) {
-  return run(job, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_MODE", mode}, {"TRUEQUAD_TOLERANCE", "0.25"}},
-             true);
+  return run_program(words_of(job), true, mode);
 }
 
 }  // namespace truequad::semantics

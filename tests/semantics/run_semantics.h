@@ -13,7 +13,6 @@ namespace truequad::semantics {
 struct Outcome {
   std::map<std::string, std::string> records;
   long quads = 0, corrected = 0;  // of the statistics; 0 without truequad
-  std::map<std::string, long> pass_reasons;
 
   // A byte of a picture: channel 0 to 3 of the pixel number `pixel`, counted from the bottom left.
   int byte(const std::string& picture, int pixel, int channel) const {
@@ -33,6 +32,9 @@ struct Job {
   std::string scene;
   unsigned first = 0, seeds = 1;
 };
+
+// The same for any program: `words` and the file of records.
+Outcome run_program(std::vector<std::string> words, bool with_truequad, const std::string& mode = "bilinear");
 
 // A program that fails is a failed test, and leaves no records. `mode`: of truequad.
 Outcome run_natively(const Job& job);

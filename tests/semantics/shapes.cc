@@ -36,8 +36,22 @@ Matrix frustum() {
 // Turned about x, then y, then moved away from the eye.
 Matrix turned(double about_x, double about_y, double distance) {
   const double cx = std::cos(about_x), sx = std::sin(about_x), cy = std::cos(about_y), sy = std::sin(about_y);
-  return {float(cy), 0,          float(-sy),    0, float(sy * sx), float(cx), float(cy * sx), 0, float(sy * cx),
-          float(-sx), float(cy * cx), 0, 0, 0, float(-distance), 1};
+  return {float(cy),
+          0,
+          float(-sy),
+          0,
+          float(sy * sx),
+          float(cx),
+          float(cy * sx),
+          0,
+          float(sy * cx),
+          float(-sx),
+          float(cy * cx),
+          0,
+          0,
+          0,
+          float(-distance),
+          1};
 }
 
 std::array<double, 4> multiply(const Matrix& m, const std::array<double, 4>& p) {
@@ -94,7 +108,8 @@ Shape tilted(Random& random) {
 
 Shape floor_shape(Random& random) {
   Shape shape = flat(random, GL_QUADS);
-  const float behind = random.in(0.1, 2), far = random.in(-8, -5), left = random.in(-4, -1), right = random.in(1, 4);
+  const float behind = random.in(0.1, 2), far = random.in(-8, -5), left = random.in(-4, -1),
+              right = random.in(1, 4);
   shape.primitives[0].vertices = {
       {{-2, behind, 0}, 0, 0}, {{2, behind, 0}, 1, 0}, {{right, far, 0}, 1, 1}, {{left, far, 0}, 0, 1}};
   // Its y is the eye's z.
@@ -114,9 +129,8 @@ Shape bent(Random& random, bool convex) {
 // Columns of a band; between equal heights lies a parallelogram.
 Shape band(Random& random, GLenum mode) {
   constexpr int kColumns = 7;
-  Shape shape{{{mode, {}}},
-              frustum(),
-              turned(random.in(-0.7, 0.7), random.in(-0.7, 0.7), random.in(1.6, 2.2))};
+  Shape shape{
+      {{mode, {}}}, frustum(), turned(random.in(-0.7, 0.7), random.in(-0.7, 0.7), random.in(1.6, 2.2))};
   std::array<float, kColumns> half{};
   for (int i = 0; i < kColumns; ++i) {
     half[std::size_t(i)] = i % 3 == 2 ? half[std::size_t(i - 1)] : random.in(0.15, 0.9);

@@ -1,5 +1,5 @@
-// The surfaces that are drawn several times over: immediate-mode primitives whose unit-square texture coordinates are
-// warped on the screen. The seed is the number of the trial.
+// The surfaces that are drawn several times over: immediate-mode primitives whose unit-square texture
+// coordinates are warped on the screen. The seed is the number of the trial.
 #pragma once
 
 #include <array>

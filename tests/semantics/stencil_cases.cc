@@ -32,8 +32,8 @@ void masked(const Shape& shape, const std::string& name) {
   record_picture(name);
 }
 
-// As OpenGL's own examples draw mirrors: the mirror marks its pixels, its depths are put to the far plane, what it
-// reflects is drawn inside, and the glass restores the depths and is blended over by GL_EQUAL.
+// As OpenGL's own examples draw mirrors: the mirror marks its pixels, its depths are put to the far plane,
+// what it reflects is drawn inside, and the glass restores the depths and is blended over by GL_EQUAL.
 void mirror(const Shape& shape, const std::string& name) {
   begin_frame(shape);
   stencil(GL_ALWAYS, 1, GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -46,7 +46,9 @@ void mirror(const Shape& shape, const std::string& name) {
   Shape world = shape;
   world.projection = world.modelview = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   world.primitives = {{GL_QUADS,
-                       {{{-1, -1, 0.9375f}, 0, 0}, {{1, -1, 0.9375f}, 1, 0}, {{1, 1, 0.9375f}, 1, 1},
+                       {{{-1, -1, 0.9375f}, 0, 0},
+                        {{1, -1, 0.9375f}, 1, 0},
+                        {{1, 1, 0.9375f}, 1, 1},
                         {{-1, 1, 0.9375f}, 0, 1}}}};
   for (const Shape* now : {static_cast<const Shape*>(&world), &shape}) {
     glMatrixMode(GL_PROJECTION);
@@ -113,8 +115,8 @@ void counted_up_and_down(const Shape& shape, const std::string& name) {
   record_picture(name);
 }
 
-// A shadow volume in eye space that cuts through the surface: a slab that stands upright before the eye, from the
-// near plane to far away. Its faces wind outwards.
+// A shadow volume in eye space that cuts through the surface: a slab that stands upright before the eye, from
+// the near plane to far away. Its faces wind outwards.
 Shape volume(const Shape& of) {
   const float left = -0.3f, right = 0.45f, low = -5, high = 5, near_z = -0.3f, far_z = -12;
   const auto corner = [&](bool r, bool h, bool f) -> Vertex {
@@ -123,7 +125,8 @@ Shape volume(const Shape& of) {
     return {{(r ? right : left) + 0.07f * z + 0.03f * y, y, z}, float(r), float(h)};
   };
   Primitive faces{GL_QUADS, {}};
-  constexpr int kFaces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
+  constexpr int kFaces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
+                                {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
   for (const auto& face : kFaces) {
     for (const int c : face) faces.vertices.push_back(corner(c & 1, c & 2, c & 4));
   }

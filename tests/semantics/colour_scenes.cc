@@ -1,0 +1,166 @@
+// Colours, secondary colours and fog coordinates: flat ones exactly, and those that are linear in the
+// position.
+#include "cases.h"
+#include "scene_tools.h"
+
+namespace truequad::semantics {
+namespace {
+
+void colour_of(int number) {
+  glColor3ub(GLubyte(40 + 53 * number % 200), GLubyte(30 + 97 * number % 210),
+             GLubyte(20 + 31 * number % 220));
+}
+
+template <GLenum convention>
+void flat(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glShadeModel(GL_FLAT);
+  glProvokingVertex(convention);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    send_with(shape, [](const Vertex&, int number) { colour_of(number); });
+  });
+}
+
+// The colour is the current one at the first quad's vertices, and set from the second vertex on.
+void flat_late(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glShadeModel(GL_FLAT);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    glColor3ub(10, 20, 30);
+    send_with(shape, [](const Vertex&, int number) {
+      if (number >= 2) colour_of(number);
+    });
+  });
+}
+
+void flat_secondary(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glShadeModel(GL_FLAT);
+  glEnable(GL_COLOR_SUM);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    glColor3f(0.1f, 0.1f, 0.1f);
+    send_with(shape, [](const Vertex&, int number) {
+      glSecondaryColor3ub(GLubyte(50 * number % 200), GLubyte(70 * number % 200), 99);
+    });
+  });
+  glDisable(GL_COLOR_SUM);
+}
+
+void smooth(unsigned first, unsigned seeds) {
+  prepare_scene();
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    const Ramp red(shape, 1, 0.5f, 0.2f), green(shape, -0.5f, 1, 0.1f);
+    send_with(shape, [&](const Vertex& v, int) { glColor3f(red(v), green(v), 0.5f); });
+  });
+}
+
+void secondary(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_COLOR_SUM);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    const Ramp red(shape, 1, 0.5f, 0.2f), green(shape, -0.5f, 1, 0.1f);
+    glColor3f(0, 0, 0);
+    send_with(shape, [&](const Vertex& v, int) { glSecondaryColor3f(red(v), green(v), 0.5f); });
+  });
+  glDisable(GL_COLOR_SUM);
+}
+
+// Colours out of range, without clamping at the vertices: what is seen is the clamped ramp, as natively.
+void unclamped(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    const Ramp ramp(shape, 1, 0.5f, 0.2f);
+    send_with(shape, [&](const Vertex& v, int) {
+      const float at = 3 * ramp(v) - 1;
+      glColor3f(at, 1 - at, 0.5f);
+    });
+  });
+  glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
+}
+
+void fog_coordinate(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_FOG);
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  const float colour[] = {0, 0.5f, 1, 1};
+  glFogfv(GL_FOG_COLOR, colour);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    const Ramp ramp(shape, 1, 0.5f, 0.2f);
+    send_with(shape, [&](const Vertex& v, int) { glFogCoordf(ramp(v)); });
+  });
+}
+
+// Mesa takes the fog of a vertex behind the eye for that of one in front, so the floor's is no ramp natively.
+void fog_of_depth(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_FOG);
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glFogf(GL_FOG_START, 0.5f);
+  glFogf(GL_FOG_END, 8);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    const bool behind = shape.modelview[9] == -1;
+    if (!behind) send_with(shape, [](const Vertex&, int) {});
+  });
+}
+
+// Translucent, over itself and its neighbours: each pixel is blended once for each quad that covers it.
+void translucent(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    for (int layer = 0; layer < 3; ++layer) {
+      glColor4f(1, 0.5f * float(layer), 0.25f, 0.375f);
+      send_with(shape, [](const Vertex&, int) {});
+    }
+  });
+}
+
+// Every second quad is discarded as a whole.
+void alpha_test(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_ALPHA_TEST);
+  glShadeModel(GL_FLAT);
+  glAlphaFunc(GL_GEQUAL, 0.5f);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    send_with(shape, [](const Vertex&, int number) {
+      glColor4f(1, 0.5f, 0.25f, (number / 4 + number) % 2 ? 0.75f : 0.25f);
+    });
+  });
+  glDisable(GL_ALPHA_TEST);
+}
+
+void logic_operation(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_COLOR_LOGIC_OP);
+  glLogicOp(GL_XOR);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    glColor3ub(0x55, 0x0f, 0xff);
+    for (int layer = 0; layer < 3; ++layer) send_with(shape, [](const Vertex&, int) {});
+  });
+  glDisable(GL_COLOR_LOGIC_OP);
+}
+
+}  // namespace
+
+const std::vector<Scene>& colour_scenes() {
+  static const std::vector<Scene> scenes = {
+      {"flat_last", flat<GL_LAST_VERTEX_CONVENTION>},
+      {"flat_first", flat<GL_FIRST_VERTEX_CONVENTION>},
+      {"flat_late", flat_late},
+      {"flat_secondary", flat_secondary},
+      {"smooth", smooth},
+      {"secondary", secondary},
+      {"unclamped", unclamped},
+      {"fog_coordinate", fog_coordinate},
+      {"fog_of_depth", fog_of_depth},
+      {"translucent", translucent},
+      {"alpha_test", alpha_test},
+      {"logic_operation", logic_operation},
+  };
+  return scenes;
+}
+
+}  // namespace truequad::semantics

@@ -1,0 +1,69 @@
+// What the scenes of single features share. Textures are white where coordinates are warped, so that truequad
+// corrects the quads and the picture must be the native one all the same.
+#pragma once
+
+#include <string>
+
+#include "pass.h"
+#include "record.h"
+#include "shapes.h"
+
+namespace truequad::semantics {
+
+// Shapes whose quads are planar and convex: attributes that are linear in the position are so over both
+// triangles.
+inline const char* const kPlanar[] = {"trapezoid", "tilted", "floor", "mixed", "strip", "polygon"};
+
+// White in units 0 and 1, texturing in unit 0, no blending, no depth test, black.
+void prepare_scene();
+
+// A value from 0.1 to 0.9 that is linear in the position: the shape's extent decides how steep.
+class Ramp {
+ public:
+  Ramp(const Shape& shape, float x, float y, float z = 0);
+  float operator()(const Vertex& v) const;
+
+ private:
+  float along(const Vertex& v) const;
+  float direction_[3], low_ = 0, size_ = 1;
+};
+
+// The shape with warped coordinates; `attributes(vertex, number)` comes before each vertex.
+template <typename F>
+void send_with(const Shape& shape, F attributes) {
+  for (const Primitive& primitive : shape.primitives) {
+    glBegin(primitive.mode);
+    int number = 0;
+    for (const Vertex& v : primitive.vertices) {
+      attributes(v, number++);
+      glTexCoord2f(v.u, v.v);
+      glVertex3f(v.position[0], v.position[1], v.position[2]);
+    }
+    glEnd();
+  }
+}
+
+// Calls draw(shape) for every planar shape and seed, each on a clear canvas with its matrices, and records
+// the picture.
+template <typename F>
+void for_each_planar(unsigned first, unsigned seeds, const std::string& name, F draw) {
+  for (const char* kind : kPlanar) {
+    for (unsigned seed = first; seed < first + seeds; ++seed) {
+      const Shape shape = make_shape(kind, seed);
+      begin_frame(shape);
+      draw(shape);
+      record_picture(name + kind + " " + std::to_string(seed));
+    }
+  }
+}
+
+// A number of each kind of primitive for the programs that draw no shape: a warped quad, its corners in
+// order.
+struct Corner {
+  float x, y, s, t;
+};
+inline constexpr Corner kWarpedQuad[] = {
+    {-0.75f, -0.875f, 0, 0}, {0.875f, -0.75f, 1, 0}, {0.25f, 0.75f, 1, 1}, {-0.375f, 0.625f, 0, 1}};
+void send_warped_quad();
+
+}  // namespace truequad::semantics
