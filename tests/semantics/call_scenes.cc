@@ -12,7 +12,9 @@ namespace {
 
 class Calls {
  public:
-  Calls(unsigned seed, bool mixed_sizes) : engine_(seed), mixed_sizes_(mixed_sizes) {}
+  // `every`: each vertex has texture coordinates of its own, else most.
+  Calls(unsigned seed, bool mixed_sizes, bool every = false)
+      : engine_(seed), mixed_sizes_(mixed_sizes), every_(every) {}
 
   int below(int limit) { return int(engine_() % unsigned(limit)); }
   float number() { return float(below(4096)) / 1024 - 2; }
@@ -100,12 +102,15 @@ class Calls {
   // A corner of a warped or of an affine quad, with its coordinates or without.
   void vertex(int i, bool warped) {
     const Corner& c = kWarpedQuad[i % 4];
-    if (below(8) != 0) {
+    if (below(8) != 0 || every_) {
       const float four[] = {warped ? c.s : c.x, warped ? c.t : c.y, 0, 1};
       const GLdouble doubles[] = {four[0], four[1], 0, 1};
       coordinates(0, four, doubles);
     }
-    switch (below(6)) {
+    switch (below(7)) {
+      case 6:
+        glVertexAttrib2f(0, c.x, c.y);  // the same as glVertex
+        break;
       case 0:
         glVertex3f(c.x, c.y, 0.25f);
         break;
@@ -180,12 +185,14 @@ class Calls {
   void primitive(GLuint list, int illegal) {
     choose_sizes();
     const GLenum modes[] = {GL_QUADS, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON, GL_TRIANGLES};
-    glBegin(modes[below(5)]);
+    const GLenum mode = modes[below(5)];
+    glBegin(mode);
     const int vertices = below(14);
     for (int i = 0; i < vertices; ++i) {
       for (int n = below(3); n > 0; --n) attribute();
       if (illegal && below(illegal) == 0) other(list);
-      vertex(i, (i / 4 + vertices) % 3 != 0);
+      // A strip's quads are convex as well.
+      vertex(mode == GL_QUAD_STRIP ? i ^ (i >> 1 & 1) : i, (i / 4 + vertices) % 3 != 0);
     }
     for (int n = below(3); n > 0; --n) attribute();
     glEnd();
@@ -249,7 +256,7 @@ class Calls {
   }
 
   std::mt19937 engine_;
-  bool mixed_sizes_;
+  bool mixed_sizes_, every_;
   int size_[4] = {2, 3, 4, 1}, colour_size_ = 4;
 };
 
@@ -277,6 +284,23 @@ void random_calls(unsigned first, unsigned seeds) {
   all_errors();
 }
 
+// What is seen of them, whatever the attributes: each fragment adds the same.
+void pictures_of_calls(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glEnable(GL_BLEND);
+  glBlendColor(kTouch / 255.0f, kTouch / 255.0f, kTouch / 255.0f, 1);
+  glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
+  const GLuint list = glGenLists(1);
+  for (unsigned seed = first; seed < first + seeds; ++seed) {
+    Calls calls(seed, false, true);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (int i = 0; i < 3; ++i) calls.primitive(list, seed % 2 ? 20 : 0);
+    record_picture("picture " + std::to_string(seed));
+  }
+  all_errors();
+}
+
 // Errors are not asked for until the end: the first of each primitive is kept, and is the native one.
 void errors_at_last(unsigned first, unsigned seeds) {
   prepare_scene();
@@ -297,6 +321,7 @@ const std::vector<Scene>& call_scenes() {
       {"illegal_calls", random_calls<true, false>},
       {"calls_of_mixed_sizes", random_calls<false, true>},
       {"errors_at_last", errors_at_last},
+      {"pictures_of_calls", pictures_of_calls},
   };
   return scenes;
 }

@@ -1,4 +1,8 @@
 // What is set for polygons as wholes: faces, modes, stipple, edges, samples.
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include "cases.h"
 #include "scene_tools.h"
 
@@ -142,6 +146,60 @@ void windowed(unsigned first, unsigned seeds) {
   });
 }
 
+// How many pixels each surface touches never, once, twice and so on, by coordinates that stretch and fold the
+// texture more and more: many seeds, so the pictures themselves are not kept.
+void touched_once(unsigned first, unsigned seeds) {
+  prepare_passes();
+  glDisable(GL_DEPTH_TEST);
+  std::vector<unsigned char> pixels(std::size_t(kWidth) * kHeight);
+  for (const char* kind : kPlanar) {
+    for (const Coordinates coordinates : {Coordinates::kWarped, Coordinates::kOther, Coordinates::kTwisted}) {
+      for (unsigned seed = first; seed < first + seeds; ++seed) {
+        const Shape shape = make_shape(kind, seed);
+        begin_frame(shape);
+        draw(shape, {.coordinates = coordinates});
+        glReadPixels(0, 0, kWidth, kHeight, GL_RED, GL_UNSIGNED_BYTE, pixels.data());
+        std::vector<GLuint> counts(5);
+        for (const unsigned char pixel : pixels) ++counts[std::min<std::size_t>(pixel / kTouch, 4)];
+        record(std::string(kind) + " " + std::to_string(int(coordinates)) + " " + std::to_string(seed),
+               counts);
+      }
+    }
+  }
+}
+
+// Textures that are a triangle, a line or a point's neighbourhood on the quad: no pixel outside of it is
+// touched, and none inside twice.
+void flat_textures(unsigned, unsigned) {
+  counting();
+  constexpr float kTextures[][4][2] = {
+      {{0, 0}, {1, 0}, {1, 1}, {1, 1}}, {{0, 0}, {0, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 1}, {1, 1}, {1, 1}},
+      {{0, 0}, {0, 0}, {0, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}, {{0, 0}, {1, 0}, {0, 0}, {0, 1}},
+      {{0, 0}, {1, 1}, {2, 2}, {5, 5}}, {{0, 0}, {1, 0}, {3, 0}, {0, 1}}, {{0, 0}, {3, 0}, {1, 0}, {0, 1}},
+      {{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {{0, 0}, {0, 0}, {1, 1}, {1, 1}}, {{0, 0}, {1, 0}, {1, 0}, {0, 0}}};
+  // The same quad as in all seeds of this suite, and others: tall, wide, turned, with edges through pixel
+  // centres.
+  constexpr float kQuads[][4][2] = {{{-0.75f, -0.875f}, {0.875f, -0.75f}, {0.25f, 0.75f}, {-0.375f, 0.625f}},
+                                    {{-0.9f, -0.1f}, {0.9f, -0.8f}, {0.9f, 0.8f}, {-0.9f, 0.2f}},
+                                    {{-0.1f, -0.9f}, {0.2f, -0.9f}, {0.9f, 0.9f}, {-0.8f, 0.9f}},
+                                    {{-0.95f, -0.9f}, {0.1f, -0.95f}, {0.95f, 0.9f}, {-0.3f, 0.4f}}};
+  for (std::size_t q = 0; q < std::size(kQuads); ++q) {
+    for (std::size_t t = 0; t < std::size(kTextures); ++t) {
+      for (std::size_t start = 0; start < 4; ++start) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        glBegin(GL_QUADS);
+        for (std::size_t i = 0; i < 4; ++i) {
+          glTexCoord2fv(kTextures[t][(i + start) % 4]);
+          glVertex2fv(kQuads[q][i]);
+        }
+        glEnd();
+        record_picture("quad " + std::to_string(q) + " texture " + std::to_string(t) + " from corner " +
+                       std::to_string(start));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const std::vector<Scene>& polygon_scenes() {
@@ -158,6 +216,8 @@ const std::vector<Scene>& polygon_scenes() {
       {"clip_planes", clip_plane},
       {"offset_layers", offset_layers},
       {"windowed", windowed},
+      {"touched_once", touched_once},
+      {"flat_textures", flat_textures},
   };
   return scenes;
 }

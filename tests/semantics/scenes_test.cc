@@ -81,6 +81,7 @@ const std::vector<Expected> kScenes = {
     {"debug_output", 0},
     {"names", 0},
     {"errors_at_last", 0, Corrected::kSome, 150},
+    {"pictures_of_calls", 0, Corrected::kSome, 60},
     {"illegal_calls", 0, Corrected::kSome, 150},
     {"legal_calls", 0, Corrected::kSome, 150},
 };
@@ -91,6 +92,8 @@ const std::vector<Expected> kOpen = {
     {"flat_lamp_last", 1},
     {"flat_lamp_first", 1},
     {"flat_highlight", 1},
+    {"flat_textures", 0, Corrected::kSome, 1},
+    {"touched_once", 0, Corrected::kSome, 240},
     {"calls_of_mixed_sizes", 0, Corrected::kSome, 150},
 };
 
