@@ -128,4 +128,12 @@ Caps read_caps(const Driver& driver) {
   return caps;
 }
 
+const Caps& caps_of(ContextRecord& context, const Driver& driver) {
+  if (!context.caps_read) {
+    context.caps = read_caps(driver);
+    context.caps_read = true;
+  }
+  return context.caps;
+}
+
 }  // namespace truequad

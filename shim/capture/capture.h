@@ -34,10 +34,6 @@ inline void end(Entry& entry) {
 // Afterwards the driver has seen everything before it; the caller forwards the call.
 void barrier(Entry& entry);
 
-// The program called glNewList, glEndList. Forwards the call itself.
-void new_list(Entry& entry, GLuint list, GLenum mode);
-void end_list(Entry& entry);
-
 // The program called one of these. Forward the call themselves; what they note: drawn.h.
 void clear(Entry& entry, GLbitfield mask);
 void depth_func(Entry& entry, GLenum function);
@@ -50,6 +46,10 @@ void frame_ended(Entry& entry);
 // After `context` (null: none) was made current on this thread; barrier() was called before if something was active.
 // `driver` is its table and outlives it; with no context: the one to use until there is one.
 void context_made_current(Entry& entry, const void* context, const Driver* driver);
+
+// `context` was created, and shares lists with `share` (null: with none). Its handle may be one that a context had which
+// went away unnoticed (eglTerminate, XCloseDisplay).
+void context_created(const void* context, const void* share);
 
 // `context` was destroyed, on any thread, current or not.
 void context_destroyed(const void* context);

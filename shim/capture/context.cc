@@ -4,12 +4,13 @@
 #include <new>
 
 #include "capture/capture.h"
+#include "capture/list_compile.h"
 #include "capture/stats.h"
 
 namespace truequad {
 
 constinit thread_local Entry entry [[gnu::tls_model("initial-exec")]] = {
-    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, false};
+    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, 0};
 
 namespace {
 
@@ -22,8 +23,22 @@ ContextRecord** find(const void* handle) {
   while (*x && (*x)->handle != handle) x = &(*x)->next;
   return x;
 }
+void destroy(ContextRecord* record) {
+  ShareGroup::release(record->group);
+  drop_list(record->list);
+  delete record;
+}
 void release(ContextRecord* record) {
-  if (--record->users == 0 && record->destroyed.load(std::memory_order_relaxed)) delete record;
+  if (--record->users == 0 && record->destroyed.load(std::memory_order_relaxed)) destroy(record);
+}
+ContextRecord* add(const void* handle, ShareGroup* group) {
+  ContextRecord* record = new (std::nothrow) ContextRecord;
+  if (!record) return nullptr;
+  record->handle = handle;
+  record->group = group ? group : new (std::nothrow) ShareGroup;
+  record->next = records;
+  records = record;
+  return record;
 }
 
 }  // namespace
@@ -38,24 +53,29 @@ void context_made_current(Entry& e, const void* context, const Driver* driver) {
   const std::lock_guard lock(records_mutex);
   if (e.context) {
     e.context->inside = e.inside;
-    e.context->list_open = e.list_open;
+    e.context->list = e.list;
     release(e.context);
     e.context = nullptr;
   }
-  e.inside = e.list_open = false;
+  e.inside = false;
+  e.list = nullptr;
   if (!context) return;
   ContextRecord* record = *find(context);
-  if (!record) {
-    record = new (std::nothrow) ContextRecord;
-    if (!record) return;
-    record->handle = context;
-    record->next = records;
-    records = record;
-  }
+  if (!record && !(record = add(context, nullptr))) return;
   ++record->users;
   e.context = record;
   e.inside = record->inside;
-  e.list_open = record->list_open;
+  e.list = record->list;
+  record->list = nullptr;
+  if (e.list && keeps(*e.list)) e.driver = e.dispatch = &keeping;
+}
+
+void context_created(const void* context, const void* share) {
+  context_destroyed(context);
+  const std::lock_guard lock(records_mutex);
+  ContextRecord* const other = share ? *find(share) : nullptr;
+  if (other && other->group) other->group->users.fetch_add(1, std::memory_order_relaxed);
+  add(context, other ? other->group : nullptr);
 }
 
 void context_destroyed(const void* context) {
@@ -66,7 +86,7 @@ void context_destroyed(const void* context) {
   // Out of the list at once: the next context may get the same handle while this one is still current somewhere.
   *x = record->next;
   record->destroyed.store(true, std::memory_order_relaxed);
-  if (record->users == 0) delete record;
+  if (record->users == 0) destroy(record);
 }
 
 }  // namespace truequad

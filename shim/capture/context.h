@@ -27,6 +27,9 @@ struct Caps {
   std::uint32_t extensions = 0;  // bit i: kExtensions[i] is advertised
 };
 
+class ShareGroup;
+struct ListCompile;
+
 // Never raises an error: the version decides what is asked. Must be called outside Begin/End.
 Caps read_caps(const Driver& driver);
 
@@ -36,8 +39,14 @@ struct ContextRecord {
   int users = 0;  // threads in which it is current
   std::atomic<bool> destroyed{false};
   bool caps_read = false;
-  bool inside = false, list_open = false;  // while it is not current
+  bool inside = false;          // while it is not current
+  ListCompile* list = nullptr;  // likewise
+  ShareGroup* group = nullptr;  // null without memory
+  GLuint list_base = 0;         // as it was when it could be asked for
   Caps caps;
 };
+
+// Read at the first need, outside Begin/End.
+const Caps& caps_of(ContextRecord& context, const Driver& driver);
 
 }  // namespace truequad

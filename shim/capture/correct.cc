@@ -147,12 +147,8 @@ void draw(Capture& c, const Quad& quad, unsigned units) {
 
 const Caps& caps_of(Capture& c) {
   ContextRecord& record = *c.entry->context;
-  if (!record.caps_read) {
-    close_mesh(c);
-    record.caps = read_caps(*c.driver);
-    record.caps_read = true;
-  }
-  return record.caps;
+  if (!record.caps_read) close_mesh(c);
+  return caps_of(record, *c.driver);
 }
 
 Reason correct(Capture& c, const Quad& quad, SlotMask warped) {

@@ -7,6 +7,7 @@ namespace truequad {
 
 struct Capture;
 struct ContextRecord;
+struct ListCompile;
 
 struct Entry {
   const Driver* dispatch;  // where the program's calls go: `driver`, or `capturing` while `active`
@@ -15,7 +16,9 @@ struct Entry {
   ContextRecord* context;  // null: none is current that we know of
   Capture* own;            // this thread's; allocated at the first captured glBegin
   bool inside;             // between glBegin and glEnd, as far as the program's calls tell
-  bool list_open;          // between glNewList and glEndList
+  ListCompile* list;       // non-null between glNewList and glEndList
+  bool playing;            // the calls are those of a list that is called
+  int list_depth;          // lists that call each other
 };
 
 // The real functions while no context is current. Defined, and never unusable, by whoever links the capture: the doors,

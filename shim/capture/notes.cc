@@ -13,7 +13,7 @@ void forget(Capture& c) {
 
 // Does a clear of these buffers leave nothing that a later pass could meet? Asks the driver only if there are meshes.
 bool clears_all(const Entry& e, GLbitfield mask) {
-  if (!(mask & GL_DEPTH_BUFFER_BIT) || e.inside || e.list_open) return false;
+  if (!(mask & GL_DEPTH_BUFFER_BIT) || e.inside || e.list) return false;
   if (!e.own->drawn || !e.own->drawn->any_mesh()) return true;
   const Driver& driver = *e.driver;
   GLint depth_mask = 0;

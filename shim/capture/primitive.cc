@@ -12,6 +12,7 @@
 #include "capture/capture.h"
 #include "capture/correct.h"
 #include "capture/drawn.h"
+#include "capture/list_compile.h"
 #include "capture/replay.h"
 #include "capture/state.h"
 #include "kernel/affine_fast.h"
@@ -26,7 +27,6 @@ void set_state(Capture& c, State state) {
 
 void pass(Capture& c, Reason reason) {
   c.counters.pass(reason);
-  if (reason == Reason::kDisplayList) c.counters.listed.add(1);
 }
 
 // Vertices v0 v1 v2 v3 of a strip make the quad v0 v1 v3 v2 (GL 2.1 figure 2.4).
@@ -106,6 +106,9 @@ bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
   return truequad::surely_affine(position, coordinates);
 }
 
+// Its position alone: affine whatever affine texture it gets.
+bool parallelogram(const Capture& c, const Quad& quad) { return surely_affine(c, kPosition, quad); }
+
 // Looks at the quad alone. kNone: the textures of `warped` (slots) show its diagonal.
 Reason judge(Capture& c, const Quad& quad, SlotMask& warped) {
   const SlotMask textures = c.live & kTextureSlots;
@@ -140,6 +143,47 @@ bool may_be_mesh(const Capture& c, const Quad& quad) {
   return c.watch == Watch::kMeshes && c.drawn->may_be_mesh(positions_key(c, quad));
 }
 
+void count_listed(Capture& c) {
+  if (c.listing || c.entry->playing) c.counters.listed.add(c.counters.quads() - c.counted_before);
+}
+
+// From here on this primitive is kept with the list: its quads may need correction in some view. False without memory.
+bool keep_from_here(Capture& c) {
+  Entry& e = *c.entry;
+  if (c.state == State::kOpen) c.driver->End();
+  const bool inside = e.inside;
+  e.inside = false;
+  const bool ended = end_driver_part(e);
+  e.inside = inside;
+  if (!ended) {
+    // Without memory: the driver's, from its last whole quad on.
+    if (c.state == State::kOpen) set_state(c, State::kHeld);
+    return false;
+  }
+  c.driver = e.driver;
+  materialise(c);
+  count_listed(c);
+  set_active(e, nullptr);
+  return true;
+}
+
+// The same while a list is compiled: true if the quad's last vertex is to be forwarded.
+bool settle_listed(Capture& c, const Quad& quad) {
+  SlotMask warped = 0;
+  Reason reason = Reason::kNone;
+  SlotMask absent = 0;
+  for (unsigned place : quad.corner) absent |= c.live & kTextureSlots & ~c.present[place];
+  if (!absent) reason = judge(c, quad, warped);
+  // Where passes meet, a quad without texture must be able to become a mesh later.
+  const bool may_meet = passes_meet() && (reason == Reason::kAffine || reason == Reason::kNoTextureVaries) &&
+                        !parallelogram(c, quad);
+  if ((reason == Reason::kNone || may_meet) && keep_from_here(c)) return false;
+  pass(c, reason == Reason::kNone ? Reason::kDisplayList : reason);
+  if (c.state == State::kOpen) return true;
+  materialise(c);
+  return false;
+}
+
 // Decides on the completed quad, draws it if it needs correction, counts it. True: forward its last vertex; then the
 // capture is open or passive. False: the driver has the quad; held if it was corrected, else open.
 bool settle(Capture& c, const Quad& quad) {
@@ -149,6 +193,7 @@ bool settle(Capture& c, const Quad& quad) {
     if (c.watch != Watch::kNothing) note_triangles(c, quad);
     return true;
   }
+  if (c.listing) return settle_listed(c, quad);
   if (c.state == State::kHeld) fill_absent(c, quad, c.live & kTextureSlots);
   SlotMask warped = 0;
   Reason reason = judge(c, quad, warped);
@@ -235,7 +280,7 @@ Capture* allocate_capture(Entry& e) {
 Reason passive_reason(const Entry& e, const Options& settings) {
   if (settings.mode == Mode::kOff) return Reason::kModeOff;
   if (!e.context || (e.context->caps_read && !e.context->caps.supported)) return Reason::kUnknownContext;
-  if (e.list_open) return Reason::kDisplayList;
+  if (e.list && (!e.context->group || !e.list->driver_open)) return Reason::kDisplayList;
   return Reason::kNone;
 }
 
@@ -258,15 +303,18 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.extensions_used = 0;
   c.quads = 0;
   c.began = c.mesh_open = c.corrected = c.view_read = false;
-  c.watch = watch(c, reason);
-  if (c.watch == Watch::kNothing) c.unnoted = true;
+  c.listing = e.list != nullptr;
+  c.watch = c.listing ? Watch::kNothing : watch(c, reason);
+  if (c.watch == Watch::kNothing && !c.listing) c.unnoted = true;
+  if (c.listing || e.playing) c.counted_before = c.counters.quads();
   if (reason != Reason::kNone) {
     c.passive_reason = reason;
     c.live = ~SlotMask(0);
     set_state(c, State::kPassive);
   } else {
     c.live = 0;
-    set_state(c, mode == GL_POLYGON || c.start_held ? State::kHeld : State::kOpen);
+    // In a list the first quad is held: Mesa draws a lone quad of three vertices that is compiled.
+    set_state(c, mode == GL_POLYGON || c.start_held || c.listing ? State::kHeld : State::kOpen);
   }
 }
 
@@ -297,6 +345,12 @@ void set_first(Capture& c, Slot slot) {
   const SlotMask live = c.live | bit(slot);
   // Without texture coordinates no quad is corrected: what its earlier vertices had does not matter.
   if (c.state == State::kOpen && window.count > 0 && (live & kTextureSlots)) {
+    if (c.listing) {
+      // What the earlier vertices have will be known when the list is called. Nothing is lost: this is the first such slot.
+      if (keep_from_here(c)) return void(c.live = live);
+      abandon(c, Reason::kDisplayList);
+      return;
+    }
     bool lost = false;
     for (unsigned i = 0; i < window.count; ++i) lost |= (c.live & ~c.present[window[i]]) != 0;
     if (lost) {
@@ -325,7 +379,10 @@ void begin_quads(Entry& e, GLenum mode) {
     e.driver->Begin(mode);
     return;
   }
-  if (!e.inside) {
+  if (e.list && keeps(*e.list) && !keeps_quads(e)) open_driver_part(e);
+  if (!e.inside && keeps_quads(e)) {
+    e.inside = true;
+  } else if (!e.inside) {
     e.inside = true;
     const Options& settings = e.own ? *e.own->options : options();
     if (settings.mode != Mode::kOff || settings.stats_path[0] != '\0') {
@@ -343,12 +400,18 @@ void begin_quads(Entry& e, GLenum mode) {
 
 void end_quads(Entry& e) {
   Capture& c = *e.active;
+  const Driver* const c_driver = c.driver;
   set_active(e, nullptr);
   e.inside = false;
-  if (c.mode == GL_POLYGON && c.next == 4 && c.quads == 0) settle(c, completed_quad(c));
+  if (c.mode == GL_POLYGON && c.next == 4 && c.quads == 0) {
+    settle(c, completed_quad(c));
+    // Kept with a list, which has its glEnd as well then.
+    if (c.listing && e.driver != c_driver) return e.driver->End();
+  }
   const bool incomplete = leftover(c);
   if (incomplete) pass(c, c.state == State::kPassive ? c.passive_reason : Reason::kIncomplete);
-  c.start_held = c.corrected;
+  if (!c.listing) c.start_held = c.corrected;
+  count_listed(c);
   if (c.state == State::kHeld) {
     const bool unsent = window_order(c).count > 0 && c.mode == GL_POLYGON && !c.corrected;
     if (!incomplete && !unsent && (c.corrected || c.began)) {
@@ -363,19 +426,15 @@ void end_quads(Entry& e) {
 }
 
 void barrier(Entry& e) {
-  if (e.active) abandon(*e.active, Reason::kUnmodelledCall);
-}
-
-void new_list(Entry& e, GLuint list, GLenum mode) {
-  barrier(e);
-  e.driver->NewList(list, mode);
-  e.list_open = true;
-}
-
-void end_list(Entry& e) {
-  barrier(e);
-  e.driver->EndList();
-  e.list_open = false;
+  if (e.active) {
+    Capture& c = *e.active;
+    abandon(c, Reason::kUnmodelledCall);
+    if (c.listing) {
+      count_listed(c);
+      set_active(e, nullptr);
+    }
+  }
+  if (e.list) execute_kept(e);
 }
 
 }  // namespace truequad

@@ -67,6 +67,8 @@ struct Capture {
   bool mesh_open = false;       // the driver is inside our glBegin(GL_TRIANGLES)
   bool corrected = false;       // something in this Begin was
   bool view_read = false;
+  bool listing = false;         // a list is being compiled: the driver draws nothing now
+  std::uint64_t counted_before = 0;  // quads of this thread before this Begin, if it is of a list
   FrameView view;
   // The thread.
   bool start_held = false;  // the last primitive was corrected: the next one probably will be

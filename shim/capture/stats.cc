@@ -97,15 +97,8 @@ class Writer {
   std::size_t size_ = 0;
 };
 
-std::uint64_t total_passed(const Counters& sum) {
-  std::uint64_t passed = 0;
-  for (const Counter& counter : sum.passed) passed += counter.get();
-  return passed;
-}
-std::uint64_t total_quads(const Counters& sum) { return total_passed(sum) + sum.corrected.get(); }
-
 void write_json(const Counters& sum, const Options& settings, Writer& out) {
-  const std::uint64_t passed = total_passed(sum), quads = total_quads(sum);
+  const std::uint64_t quads = sum.quads(), passed = quads - sum.corrected.get();
   out.text("{");
   out.field("quads", quads);
   out.field("passed", passed);
@@ -223,7 +216,7 @@ void process_ends() {
   if (locked) unlock();
   // A child that only runs another program, or fails to, has nothing to tell.
   const bool child = forked.load(std::memory_order_relaxed);
-  if (child && total_quads(sum) == 0) return;
+  if (child && sum.quads() == 0) return;
 
   Writer json;
   write_json(sum, settings, json);

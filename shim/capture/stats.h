@@ -23,7 +23,7 @@ class Counter {
 
 struct Counters {
   Counter passed[kReasonCount];
-  Counter listed;     // of the passed ones: compiled into a display list
+  Counter listed;     // of both: compiled into a display list, or called with it
   Counter corrected;
   Counter capped;     // of the corrected ones: the promise exceeds the tolerance
   Counter triangles;  // drawn for corrected quads
@@ -31,6 +31,13 @@ struct Counters {
   std::atomic<double> bound_px_max{0};
 
   Counters* next = nullptr;  // of the list of all threads
+
+  // All that were seen.
+  std::uint64_t quads() const {
+    std::uint64_t sum = corrected.get();
+    for (const Counter& counter : passed) sum += counter.get();
+    return sum;
+  }
 
   void pass(Reason reason) { passed[std::size_t(reason)].add(1); }
   void correct(int triangle_count, double bound_px, bool is_capped);

@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "capture/capture.h"
+#include "capture/list_compile.h"
+#include "capture/list_play.h"
 #include "doors/doors.h"
 
 extern "C" {
@@ -19,6 +21,32 @@ TRUEQUAD_DOOR void GLAPIENTRY glBegin(GLenum mode) { truequad::begin(truequad::e
 TRUEQUAD_DOOR void GLAPIENTRY glEnd() { truequad::end(truequad::entry); }
 TRUEQUAD_DOOR void GLAPIENTRY glNewList(GLuint list, GLenum mode) { truequad::new_list(truequad::entry, list, mode); }
 TRUEQUAD_DOOR void GLAPIENTRY glEndList() { truequad::end_list(truequad::entry); }
+TRUEQUAD_DOOR void GLAPIENTRY glCallList(GLuint list) { truequad::call_list(truequad::entry, list); }
+TRUEQUAD_DOOR void GLAPIENTRY glCallLists(GLsizei count, GLenum type, const void* lists) {
+  truequad::call_lists(truequad::entry, count, type, lists);
+}
+TRUEQUAD_DOOR void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
+  truequad::delete_lists(truequad::entry, list, range);
+}
+TRUEQUAD_DOOR GLuint GLAPIENTRY glGenLists(GLsizei range) { return truequad::gen_lists(truequad::entry, range); }
+TRUEQUAD_DOOR GLboolean GLAPIENTRY glIsList(GLuint list) { return truequad::is_list(truequad::entry, list); }
+
+// glGet: the driver compiles a split list under other names than the program's.
+#define TQ_GET(name, type)                                                        \
+  TRUEQUAD_DOOR void GLAPIENTRY gl##name(GLenum what, type* data) {               \
+    truequad::entry.dispatch->name(what, data);                                   \
+    GLint answer;                                                                 \
+    if (truequad::list_answer(truequad::entry, what, answer)) *data = type(answer); \
+  }
+TQ_GET(GetDoublev, GLdouble)
+TQ_GET(GetFloatv, GLfloat)
+TQ_GET(GetIntegerv, GLint)
+TRUEQUAD_DOOR void GLAPIENTRY glGetBooleanv(GLenum what, GLboolean* data) {
+  truequad::entry.dispatch->GetBooleanv(what, data);
+  GLint answer;
+  if (truequad::list_answer(truequad::entry, what, answer)) *data = GL_TRUE;
+}
+#undef TQ_GET
 TRUEQUAD_DOOR void GLAPIENTRY glClear(GLbitfield mask) { truequad::clear(truequad::entry, mask); }
 TRUEQUAD_DOOR void GLAPIENTRY glDepthFunc(GLenum function) { truequad::depth_func(truequad::entry, function); }
 TRUEQUAD_DOOR void GLAPIENTRY glStencilOp(GLenum fail, GLenum depth_fail, GLenum pass) {

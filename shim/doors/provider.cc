@@ -3,6 +3,7 @@
 #include "doors/provider.h"
 
 #include "capture/entry.h"
+#include "capture/list_compile.h"
 #include "config/log.h"
 #include "config/options.h"
 #include "doors/doors.h"
@@ -69,7 +70,7 @@ Api api_of(const Driver* driver) {
 
 void* resolve(CommandIndex index) {
   watch_exit();
-  const Driver* driver = entry.driver;
+  const Driver* driver = real_driver(entry);
   const Api api = api_of(driver);
   void* function = command_symbol(api, kNames[index]);
   if (!function) {

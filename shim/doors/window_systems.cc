@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "capture/capture.h"
+#include "capture/list_play.h"
 #include "doors/doors.h"
 #include "doors/provider.h"
 
@@ -69,6 +70,14 @@ using Byte = unsigned char;
     return tq_real arguments;                               \
   }
 
+#define TQ_MAKE_LISTS(api, name, parameters, arguments, base, count) \
+  TRUEQUAD_DOOR void name parameters {                               \
+    TQ_REAL(api, void, name, parameters);                            \
+    truequad::settle();                                              \
+    tq_real arguments;                                               \
+    truequad::lists_made(truequad::entry, GLuint(base), count);      \
+  }
+
 #define TQ_SWAP(api, result, name, parameters, arguments) \
   TRUEQUAD_DOOR result name parameters {                  \
     TQ_REAL(api, result, name, parameters);               \
@@ -86,12 +95,12 @@ using Byte = unsigned char;
     return tq_done;                                                        \
   }
 
-#define TQ_CREATE(api, name, parameters, arguments)                      \
+#define TQ_CREATE(api, name, parameters, arguments, share)               \
   TRUEQUAD_DOOR Handle name parameters {                                 \
     TQ_REAL(api, Handle, name, parameters);                              \
     truequad::settle();                                                  \
     const Handle tq_context = tq_real arguments;                         \
-    if (tq_context) truequad::context_destroyed(tq_context);             \
+    if (tq_context) truequad::context_created(tq_context, share);        \
     return tq_context;                                                   \
   }
 
@@ -114,6 +123,7 @@ extern "C" {
 #include "doors/window_system_doors.inc"
 }
 
+#undef TQ_MAKE_LISTS
 #undef TQ_SWAP
 #undef TQ_SETTLE
 #undef TQ_MAKE_CURRENT
@@ -129,6 +139,15 @@ void* window_system_door(std::string_view name) {
     void* function;
   };
 #define TQ_DOOR(function) {#function, reinterpret_cast<void*>(&function)},
+#define TQ_MAKE_LISTS(api, name, parameters, arguments, base, count) \
+  TRUEQUAD_DOOR void name parameters {                               \
+    TQ_REAL(api, void, name, parameters);                            \
+    truequad::settle();                                              \
+    tq_real arguments;                                               \
+    truequad::lists_made(truequad::entry, GLuint(base), count);      \
+  }
+
+#define TQ_MAKE_LISTS(api, name, ...) TQ_DOOR(name)
 #define TQ_SWAP(api, result, name, ...) TQ_DOOR(name)
 #define TQ_SETTLE(api, result, name, ...) TQ_DOOR(name)
 #define TQ_MAKE_CURRENT(api, result, name, ...) TQ_DOOR(name)

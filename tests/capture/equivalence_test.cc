@@ -170,7 +170,7 @@ TEST(Equivalence, ARecreatedContextAtTheSameAddressIsANewOne) {
   context_destroyed(&handle);  // while it is current, as GLX allows
   EXPECT_EQ(entry.context, first);
   context_made_current(entry, &handle, &driver());
-  EXPECT_FALSE(entry.list_open);
+  EXPECT_EQ(entry.list, nullptr);
   context_made_current(entry, nullptr, nullptr);
   context_destroyed(&handle);
   reset();

@@ -4,6 +4,8 @@
 #include <type_traits>
 
 #include "capture/capture.h"
+#include "capture/list_compile.h"
+#include "capture/list_play.h"
 #include "capture/record.h"
 #include "fake_gl.h"
 
@@ -22,6 +24,11 @@ Driver make_doors() {
 #undef TQ_COMMAND
   d.Begin = [](GLenum mode) { begin(entry, mode); };
   d.End = [] { end(entry); };
+  d.CallList = [](GLuint list) { call_list(entry, list); };
+  d.CallLists = [](GLsizei count, GLenum type, const void* lists) { call_lists(entry, count, type, lists); };
+  d.DeleteLists = [](GLuint list, GLsizei range) { delete_lists(entry, list, range); };
+  d.GenLists = [](GLsizei range) { return gen_lists(entry, range); };
+  d.IsList = [](GLuint list) { return is_list(entry, list); };
   d.NewList = [](GLuint list, GLenum mode) { new_list(entry, list, mode); };
   d.EndList = [] { end_list(entry); };
   d.Clear = [](GLbitfield mask) { clear(entry, mask); };

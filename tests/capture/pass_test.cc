@@ -206,12 +206,6 @@ TEST(Pass, UnmodelledCallsAndLists) {
     for (int i = 1; i < 4; ++i) kTrapezoid.vertex(gl, i);
     gl.End();
   });
-  expect_passed(Reason::kDisplayList, Gl(), [](const Driver& gl) {
-    gl.NewList(1, GL_COMPILE_AND_EXECUTE);
-    draw_warped(gl);
-    gl.EndList();
-  });
-  EXPECT_GT(counters().listed.get(), 0u);
   // After the list quads are corrected again.
   EXPECT_EQ(growth(corrected, [] {
               through_doors([](const Driver& gl) {

@@ -249,42 +249,5 @@ TEST_P(Modes, LoseAndDoubleNoPixel) {
 INSTANTIATE_TEST_SUITE_P(Later, Modes, testing::Values("projective", "auto"),
                          [](const auto& info) { return std::string(info.param); });
 
-// The depth buffer itself.
-class Depths : public testing::TestWithParam<const char*> {};
-
-TEST_P(Depths, AreTheSameWhateverTheTexture) {
-  const Job job{GetParam(), "depths", 0, 4};
-  const Outcome native = run_natively(job), seen = run_with_truequad(job);
-  ASSERT_FALSE(native.records.empty() || seen.records.empty());
-  EXPECT_GT(seen.corrected, 0);
-  struct Difference {
-    long pixels = 0, differing = 0, largest = 0;
-  };
-  std::map<std::string, Difference> table;
-  for (const auto& [name, bytes] : native.records) {
-    const std::string picture = name.substr(0, name.rfind(' '));
-    const auto plain = seen.values<unsigned>(picture + " plain"), drawn = seen.values<unsigned>(name);
-    const auto natively = native.values<unsigned>(name);
-    Difference& sum = table[shape_of(picture)];
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-      // 24 bits, spread over 32.
-      const long difference = std::labs(long(plain[i] >> 8) - long(drawn[i] >> 8));
-      sum.pixels += plain[i] != ~0u;
-      sum.differing += difference != 0;
-      sum.largest = std::max(sum.largest, difference);
-    }
-    EXPECT_EQ(native.records.at(picture + " plain"), bytes) << "natively: " << name;
-    EXPECT_EQ(native.records.at(picture + " plain"), seen.records.at(picture + " plain")) << name;
-  }
-  for (const auto& [shape, sum] : table) {
-    std::printf("%-6s depths %-10s %8ld pixels %8ld differ, by up to %ld of 2^24\n", GetParam(),
-                shape.c_str(), sum.pixels, sum.differing, sum.largest);
-    EXPECT_EQ(sum.differing, 0) << shape;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Later, Depths, testing::Values("osmesa", "egl", "glx"),
-                         [](const auto& info) { return std::string(info.param); });
-
 }  // namespace
 }  // namespace truequad::semantics

@@ -1,0 +1,64 @@
+// A display list while it is compiled. All calls go to the driver's own list until a quad may need correction; from there
+// on the list is split: the quad and what follows it at once are kept with us, the next other call opens another list of
+// the driver's.
+#pragma once
+
+#include "capture/lists.h"
+
+namespace truequad {
+
+struct Capture;
+
+struct ListCompile {
+  const GLuint name;
+  const GLenum mode;           // GL_COMPILE or GL_COMPILE_AND_EXECUTE
+  SplitList* split = nullptr;  // null: all is in the driver's own list so far
+  bool driver_open = true;     // the driver is compiling; else calls go to `keeping`
+  Part* kept = nullptr;        // the calls that are being kept, if the last part is such
+  bool kept_primitive = false;    // a glBegin is among them
+  bool kept_inside = false;       // a vertex or glEnd came before it
+  bool executed_inside = false;   // GL_COMPILE_AND_EXECUTE: what was made of them ends between glBegin and glEnd
+  // Attributes before anything else, not yet given to the driver: if a vertex follows without a glBegin, the list is one
+  // to be called between glBegin and glEnd, and is kept whole. Null: the driver has had something.
+  Part* leading = nullptr;
+  const Driver* driver;        // the real functions
+
+  ListCompile(GLuint n, GLenum m, const Driver* d) : name(n), mode(m), driver(d) {}
+};
+
+// The program's own calls; each makes the driver's call itself.
+void new_list(Entry& entry, GLuint list, GLenum mode);
+void end_list(Entry& entry);
+
+// For calls that are kept or not, while entry.list.
+
+// The calls being kept; opens such a part. Null without memory.
+KeptCalls* kept_calls(Entry& entry);
+// A vertex comes outside of glBegin and glEnd.
+void keep_leading(Entry& entry);
+
+// The driver compiles again, into its next part, if it does not; returns its functions. (Between the glBegin and glEnd of
+// GL_COMPILE_AND_EXECUTE it would not: then a call is only made, and the list lacks it.)
+const Driver& open_driver_part(Entry& entry);
+
+// The real functions, whatever entry.driver is while a list is compiled.
+const Driver* real_driver(const Entry& entry);
+// The driver's part ends here; what follows is kept. The driver must be outside Begin/End, unless in GL_COMPILE. False
+// without memory: then nothing has changed.
+bool end_driver_part(Entry& entry);
+// glCallList or glCallLists becomes a part. False: not possible here, so that the driver has to compile it.
+bool compile_call(Entry& entry, GLuint list);
+bool compile_calls(Entry& entry, GLsizei count, GLenum type, const void* lists);
+
+// True if calls go to `keeping`.
+inline bool keeps(const ListCompile& list) { return !list.driver_open || list.leading; }
+// True if glBegin(mode) of quads is kept without being looked at: it follows what is kept already.
+bool keeps_quads(const Entry& entry);
+
+// In GL_COMPILE_AND_EXECUTE: makes the kept calls that were not made yet.
+void execute_kept(Entry& entry);
+
+// A context ends while it compiles.
+void drop_list(ListCompile* list);
+
+}  // namespace truequad

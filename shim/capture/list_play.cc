@@ -1,0 +1,185 @@
+#include "capture/list_play.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "capture/capture.h"
+#include "capture/list_compile.h"
+#include "capture/state.h"
+
+namespace truequad {
+namespace {
+
+// "GL_MAX_LIST_NESTING … at least 64" (GL 2.1 section 5.4): deeper calls are ignored, as they are by drivers.
+constexpr int kMaxNesting = 64;
+
+ShareGroup* group_of(const Entry& e) { return e.context ? e.context->group : nullptr; }
+
+void play(Entry& e, const SplitList& list);
+
+// Outside of compilation.
+void run(Entry& e, GLuint name) {
+  ShareGroup* const group = group_of(e);
+  if (group && group->is_hidden(name)) return;  // to the program there is no such list
+  SplitList* const list = group ? group->find(name) : nullptr;
+  if (!list) {
+    barrier(e);
+    return e.driver->CallList(name);
+  }
+  if (e.list_depth < kMaxNesting) {
+    ++e.list_depth;
+    play(e, *list);
+    --e.list_depth;
+  }
+  SplitList::release(list);
+}
+
+// A name among those of glCallLists, without the base (GL 2.1 section 5.4).
+GLuint name_at(GLenum type, const void* names, GLsizei i) {
+  const auto* bytes = static_cast<const unsigned char*>(names);
+  const auto read = [&]<typename T>(T value) {
+    std::memcpy(&value, bytes + std::size_t(i) * sizeof value, sizeof value);
+    return value;
+  };
+  switch (type) {
+    case GL_BYTE: return GLuint(GLint(read(GLbyte())));
+    case GL_UNSIGNED_BYTE: return read(GLubyte());
+    case GL_SHORT: return GLuint(GLint(read(GLshort())));
+    case GL_UNSIGNED_SHORT: return read(GLushort());
+    case GL_INT: return GLuint(read(GLint()));
+    case GL_UNSIGNED_INT: return read(GLuint());
+    case GL_FLOAT: {
+      const GLfloat value = read(GLfloat());
+      // Beyond the integers a conversion has no meaning, here or in the driver.
+      return value >= -0x1p31f && value < 0x1p32f ? GLuint(std::int64_t(value)) : 0;
+    }
+    case GL_2_BYTES: return GLuint(bytes[2 * i]) << 8 | bytes[2 * i + 1];
+    case GL_3_BYTES: return GLuint(bytes[3 * i]) << 16 | GLuint(bytes[3 * i + 1]) << 8 | bytes[3 * i + 2];
+    default:
+      return GLuint(bytes[4 * i]) << 24 | GLuint(bytes[4 * i + 1]) << 16 | GLuint(bytes[4 * i + 2]) << 8 | bytes[4 * i + 3];
+  }
+}
+
+bool is_name_type(GLenum type) { return type >= GL_BYTE && type <= GL_4_BYTES; }
+
+void run_many(Entry& e, GLsizei count, GLenum type, const void* names) {
+  ShareGroup* const group = group_of(e);
+  if (!group || !group->any_split() || count <= 0 || !is_name_type(type)) {
+    barrier(e);
+    return e.driver->CallLists(count, type, names);
+  }
+  // Inside Begin/End it cannot be asked for; then it is what it was when it could.
+  if (!e.inside) {
+    GLint base = 0;
+    barrier(e);
+    e.driver->GetIntegerv(GL_LIST_BASE, &base);
+    e.context->list_base = GLuint(base);
+  }
+  const GLuint base = e.context->list_base;
+  for (GLsizei i = 0; i < count; ++i) run(e, base + name_at(type, names, i));
+}
+
+void play(Entry& e, const SplitList& list) {
+  for (const Part* part = list.first; part; part = part->next) {
+    switch (part->kind) {
+      case Part::Kind::kDriver:
+        if (part->name == 0) break;
+        barrier(e);
+        e.driver->CallList(part->name);
+        break;
+      case Part::Kind::kKept: play_kept(e, *part); break;
+      case Part::Kind::kCall: run(e, part->name); break;
+      case Part::Kind::kCallMany: run_many(e, GLsizei(part->name), part->type, part->names); break;
+    }
+  }
+  if (list.begins) e.inside = true;
+}
+
+}  // namespace
+
+void play_kept(Entry& e, const Part& part) {
+  if (e.inside && part.opens) {
+    // "GL_INVALID_OPERATION": a primitive inside another. Drivers then draw nothing of a compiled one.
+    barrier(e);
+    return e.driver->Begin(GL_QUADS);
+  }
+  const bool outer = e.playing;
+  e.playing = true;
+  part.kept.play(e);
+  e.playing = outer;
+}
+
+void call_list(Entry& e, GLuint name) {
+  if (!e.list) return run(e, name);
+  barrier(e);
+  if (!compile_call(e, name)) e.dispatch->CallList(name);
+}
+
+void call_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
+  if (!e.list) return run_many(e, count, type, names);
+  barrier(e);
+  if (!compile_calls(e, count, type, names)) e.dispatch->CallLists(count, type, names);
+}
+
+void delete_lists(Entry& e, GLuint first, GLsizei count) {
+  barrier(e);
+  ShareGroup* const group = group_of(e);
+  if (!group || count <= 0 || e.inside || (!group->any_hidden() && !group->any_split())) {
+    return e.dispatch->DeleteLists(first, count);
+  }
+  // The program's names, without ours.
+  const std::uint64_t begin = first, end = begin + std::uint64_t(count);
+  const std::uint64_t from = ShareGroup::kHidden, to = ShareGroup::kHiddenEnd;
+  const Driver& driver = e.list ? *e.list->driver : *e.driver;
+  if (begin < from) driver.DeleteLists(first, GLsizei(std::min(end, from) - begin));
+  if (end > to) driver.DeleteLists(GLuint(std::max(begin, to)), GLsizei(end - std::max(begin, to)));
+  for (SplitList* list; (list = group->take(first, GLuint(count)));) {
+    for (const Part* part = list->first; part; part = part->next) {
+      if (is_hidden_part(*part, *list)) driver.DeleteLists(part->name, 1);
+    }
+    SplitList::release(list);
+  }
+}
+
+GLuint gen_lists(Entry& e, GLsizei count) {
+  barrier(e);
+  ShareGroup* const group = group_of(e);
+  const GLuint largest = group ? group->largest_name() : 0;
+  if (group && group->any_hidden() && count > 0 && !e.inside && !e.list &&
+      std::uint64_t(largest) + std::uint64_t(count) < ShareGroup::kHidden) {
+    // The driver would count on from our names. "A contiguous set of count previously unused display list names": empty
+    // lists, as it makes them itself.
+    for (GLuint name = largest + 1; name <= largest + GLuint(count); ++name) {
+      e.driver->NewList(name, GL_COMPILE);
+      e.driver->EndList();
+    }
+    group->note_name(largest + GLuint(count));
+    return largest + 1;
+  }
+  const GLuint first = e.dispatch->GenLists(count);
+  if (group && first && count > 0) group->note_name(first + GLuint(count) - 1);
+  return first;
+}
+
+GLboolean is_list(Entry& e, GLuint name) {
+  const GLboolean is = e.dispatch->IsList(name);
+  const ShareGroup* const group = group_of(e);
+  return group && group->is_hidden(name) ? GLboolean(GL_FALSE) : is;
+}
+
+void lists_made(Entry& e, GLuint first, GLsizei count) {
+  ShareGroup* const group = group_of(e);
+  if (!group || count <= 0) return;
+  group->note_name(first + GLuint(count) - 1);
+  for (SplitList* list; (list = group->take(first, GLuint(count)));) SplitList::release(list);
+}
+
+bool list_answer(const Entry& e, GLenum name, GLint& answer) {
+  if (!e.list || !e.list->split) return false;
+  if (name == GL_LIST_INDEX) answer = GLint(e.list->name);
+  else if (name == GL_LIST_MODE) answer = GLint(e.list->mode);
+  else return false;
+  return true;
+}
+
+}  // namespace truequad

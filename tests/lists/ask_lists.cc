@@ -1,0 +1,170 @@
+// Prints what a program can ask of display lists, and every error, with a quad in most of them that needs correction.
+#include <GL/osmesa.h>
+
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+void quad() {
+  glBegin(GL_QUADS);
+  glTexCoord2f(0, 0), glVertex2f(-0.9f, -0.9f);
+  glTexCoord2f(1, 0), glVertex2f(0.9f, -0.9f);
+  glTexCoord2f(1, 1), glVertex2f(0.3f, 0.9f);
+  glTexCoord2f(0, 1), glVertex2f(-0.3f, 0.9f);
+  glEnd();
+}
+
+void say(const char* what) {
+  GLint index = -1, mode = -1, base = -1, depth = -1;
+  GLfloat float_index = -1, color[4], texture[4];
+  GLdouble double_index = -1;
+  GLboolean boolean_index = 99;
+  glGetIntegerv(GL_LIST_INDEX, &index);
+  glGetIntegerv(GL_LIST_MODE, &mode);
+  glGetIntegerv(GL_LIST_BASE, &base);
+  glGetIntegerv(GL_MODELVIEW_STACK_DEPTH, &depth);
+  glGetFloatv(GL_LIST_INDEX, &float_index);
+  glGetDoublev(GL_LIST_INDEX, &double_index);
+  glGetBooleanv(GL_LIST_INDEX, &boolean_index);
+  glGetFloatv(GL_CURRENT_COLOR, color);
+  glGetFloatv(GL_CURRENT_TEXTURE_COORDS, texture);
+  std::printf("%s: index %d %g %g %d mode %x base %d depth %d color %g %g %g %g texture %g %g %g %g error %x\n", what, index,
+              float_index, double_index, boolean_index, mode, base, depth, color[0], color[1], color[2], color[3],
+              texture[0], texture[1], texture[2], texture[3], glGetError());
+}
+
+void is(GLuint name) { std::printf("is %u: %d error %x\n", name, glIsList(name), glGetError()); }
+
+void session() {
+  say("start");
+  const GLuint three = glGenLists(3);
+  std::printf("gen %u\n", three);
+  is(three);
+  is(three + 3);
+  glNewList(three, GL_COMPILE);
+  say("compiling");
+  glColor3f(1, 0.5f, 0.25f);
+  quad();
+  say("after a quad");
+  glColor3f(0, 0.5f, 0.25f);
+  quad();
+  glTranslatef(0.1f, 0, 0);
+  say("after a translation");
+  glNewList(three + 1, GL_COMPILE);
+  say("a list in a list");
+  glEndList();
+  say("ended");
+  glEndList();
+  say("ended twice");
+  is(three);
+  glCallList(three);
+  say("called");
+  glNewList(0, GL_COMPILE);
+  say("list 0");
+  glNewList(three + 1, GL_TRIANGLES);
+  say("bad mode");
+  glBegin(GL_QUADS);
+  glNewList(three + 1, GL_COMPILE);
+  glEnd();
+  say("a list inside Begin");
+  glBegin(GL_QUADS);
+  glCallList(three);
+  glEnd();
+  say("called inside Begin");
+  glBegin(GL_QUADS);
+  std::printf("gen %u\n", glGenLists(1));
+  glDeleteLists(three, 1);
+  std::printf("is %d\n", glIsList(three));
+  glEnd();
+  say("asked inside Begin");
+  std::printf("gen %u %u %u\n", glGenLists(1), glGenLists(0), glGenLists(5));
+  say("made more");
+  std::printf("gen %u\n", glGenLists(-1));
+  say("made less");
+  glNewList(500, GL_COMPILE_AND_EXECUTE);
+  say("executing");
+  glColor4f(0.25f, 1, 0.5f, 0.75f);
+  quad();
+  say("executed a quad");
+  glTexCoord2f(0.125f, 0.25f);
+  glListBase(7);
+  say("executed a base");
+  quad();
+  glEndList();
+  say("executed all");
+  std::printf("gen %u\n", glGenLists(2));
+  glListBase(0);
+  // Itself, to the depth limit.
+  glNewList(600, GL_COMPILE);
+  glTranslatef(1, 0, 0);
+  quad();
+  glCallList(600);
+  glEndList();
+  glMatrixMode(GL_MODELVIEW);
+  glPushMatrix();
+  glCallList(600);
+  GLfloat matrix[16];
+  glGetFloatv(GL_MODELVIEW_MATRIX, matrix);
+  std::printf("moved by %g error %x\n", matrix[12], glGetError());
+  glPopMatrix();
+  glDeleteLists(three, -1);
+  say("deleted less");
+  glDeleteLists(three, 1000);
+  say("deleted");
+  for (GLuint name : {three, three + 1, 500u, 600u, 0x5a000000u, 0x5a000001u}) is(name);
+  std::printf("gen %u\n", glGenLists(1));
+  glCallList(three);
+  const GLubyte names[] = {1, 2, 200};
+  glCallLists(3, GL_UNSIGNED_BYTE, names);
+  say("called what there is not");
+  glCallLists(-1, GL_UNSIGNED_BYTE, names);
+  say("negative");
+  glCallLists(1, GL_TRIANGLES, names);
+  say("bad type");
+  // Attributes and vertices alone, for use inside Begin.
+  glNewList(50, GL_COMPILE);
+  glColor3f(0.5f, 0.5f, 0.5f);
+  glTexCoord3f(0.5f, 0.25f, 0.125f);
+  glVertex2f(0.5f, 0.5f);
+  glEndList();
+  glBegin(GL_QUADS);
+  for (int i = 0; i < 4; ++i) glCallList(50);
+  glEnd();
+  say("vertices in a list");
+  glNewList(51, GL_COMPILE);
+  glColor3f(1, 0, 1);
+  glEndList();
+  glCallList(51);
+  say("a colour in a list");
+  // A Begin that another list ends.
+  glNewList(52, GL_COMPILE);
+  glBegin(GL_QUADS);
+  glTexCoord2f(0, 0), glVertex2f(-0.9f, -0.9f);
+  glTexCoord2f(1, 0), glVertex2f(0.9f, -0.9f);
+  glTexCoord2f(1, 1), glVertex2f(0.3f, 0.9f);
+  glTexCoord2f(0, 1), glVertex2f(-0.3f, 0.9f);
+  glEndList();
+  say("half a list");
+  glNewList(53, GL_COMPILE);
+  glEnd();
+  glEndList();
+  glCallList(52);
+  glCallList(53);
+  say("both halves");
+  quad();
+  say("end");
+}
+
+}  // namespace
+
+int main() {
+  static std::vector<unsigned char> pixels(160 * 120 * 4);
+  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
+  if (!context || !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, 160, 120)) return 70;
+  const unsigned char texels[16] = {};
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  glEnable(GL_TEXTURE_2D);
+  session();
+}

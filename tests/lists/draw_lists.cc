@@ -1,0 +1,352 @@
+// draw_lists FAMILY FIRST COUNT WIDTH HEIGHT WAY FILE: draws the scenes of COUNT seeds through display lists, in one of
+// many ways, and writes the raw pictures. A program like any other, which knows nothing of truequad.
+#define GL_GLEXT_PROTOTYPES
+#include <GL/osmesa.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes.h"
+
+namespace truequad::images {
+namespace {
+
+constexpr int kTexels = 256;
+constexpr GLenum kModes[] = {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON};
+
+void make_texture() {
+  std::vector<unsigned char> texels;
+  for (int j = 0; j < kTexels; ++j) {
+    for (int i = 0; i < kTexels; ++i) {
+      texels.insert(texels.end(), {(unsigned char)(i), (unsigned char)(j), (unsigned char)(i ^ j), 255});
+    }
+  }
+  GLuint name;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kTexels, kTexels, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+}
+
+void vertex(const Vertex& v) {
+  glColor3f(1, 1, 1 - v.mark / 255.0f);
+  glTexCoord4fv(v.texture.data());
+  glVertex4fv(v.position.data());
+}
+
+void primitive(const Primitive& p) {
+  glBegin(kModes[int(p.mode)]);
+  for (const Vertex& v : p.vertices) vertex(v);
+  glEnd();
+}
+
+void primitives(const Scene& scene) {
+  for (const Primitive& p : scene.primitives) primitive(p);
+}
+
+// A triangle that is not seen and changes of state, so that quads are not alone in their list.
+void something_else() {
+  glPushMatrix();
+  glTranslatef(0, 0, 0.001f);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDisable(GL_TEXTURE_2D);
+  glBegin(GL_TRIANGLES);
+  glColor3f(0.25f, 0.5f, 0.75f);
+  glVertex2f(-1, -1);
+  glVertex2f(-0.95f, -1);
+  glVertex2f(-1, -0.95f);
+  glEnd();
+  glEnable(GL_TEXTURE_2D);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glPopMatrix();
+}
+
+void look(const Scene& scene) {
+  glViewport(scene.viewport[0], scene.viewport[1], scene.viewport[2], scene.viewport[3]);
+  glMatrixMode(GL_PROJECTION);
+  glLoadMatrixf(scene.projection.data());
+  glMatrixMode(GL_MODELVIEW);
+  glLoadMatrixf(scene.modelview.data());
+  glShadeModel(scene.primitives.front().mode == Mode::kQuadStrip ? GL_FLAT : GL_SMOOTH);
+  glEnable(GL_TEXTURE_2D);
+}
+
+void look_elsewhere() {
+  glViewport(0, 0, 16, 16);
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glDisable(GL_TEXTURE_2D);
+}
+
+OSMesaContext first_context, second_context;
+std::vector<unsigned char> canvas;
+int canvas_width, canvas_height;
+
+void make_current(OSMesaContext context) {
+  OSMesaMakeCurrent(context, canvas.data(), GL_UNSIGNED_BYTE, canvas_width, canvas_height);
+}
+
+template <typename T>
+void call_as(GLenum type, GLuint base, GLuint name) {
+  glListBase(base);
+  const T offset = T(name - base);
+  glCallLists(1, type, &offset);
+  glListBase(0);
+}
+
+using Way = void (*)(const Scene&);
+
+const std::map<std::string, Way>& ways() {
+  static const std::map<std::string, Way> all = {
+      {"immediate", [](const Scene& s) { primitives(s); }},
+      {"list",
+       [](const Scene& s) {
+         look_elsewhere();
+         const GLuint list = glGenLists(1);
+         glNewList(list, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         look(s);
+         glCallList(list);
+       }},
+      {"without_gen",
+       [](const Scene& s) {
+         glNewList(77, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         glCallList(77);
+       }},
+      {"execute",
+       [](const Scene& s) {
+         glNewList(5, GL_COMPILE_AND_EXECUTE);
+         primitives(s);
+         glEndList();
+       }},
+      {"execute_then_call",
+       [](const Scene& s) {
+         glNewList(5, GL_COMPILE_AND_EXECUTE);
+         primitives(s);
+         glEndList();
+         glClear(GL_COLOR_BUFFER_BIT);
+         glCallList(5);
+       }},
+      {"called_twice",
+       [](const Scene& s) {
+         glNewList(5, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         look_elsewhere();
+         glCallList(5);
+         look(s);
+         glClear(GL_COLOR_BUFFER_BIT);
+         glCallList(5);
+       }},
+      {"nested",
+       [](const Scene& s) {
+         const GLuint lists = glGenLists(3);
+         glNewList(lists, GL_COMPILE);
+         glCallList(lists + 1);
+         glEndList();
+         glNewList(lists + 1, GL_COMPILE);
+         glPushMatrix();
+         glCallList(lists + 2);
+         glPopMatrix();
+         glEndList();
+         glNewList(lists + 2, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         glCallList(lists);
+       }},
+      {"each_its_own",
+       [](const Scene& s) {
+         const GLuint lists = glGenLists(GLsizei(s.primitives.size()));
+         std::vector<GLushort> names;
+         for (std::size_t i = 0; i < s.primitives.size(); ++i) {
+           glNewList(lists + GLuint(i), GL_COMPILE);
+           primitive(s.primitives[i]);
+           glEndList();
+           names.push_back(GLushort(i));
+         }
+         glListBase(lists);
+         glCallLists(GLsizei(names.size()), GL_UNSIGNED_SHORT, names.data());
+         glListBase(0);
+       }},
+      {"bytes", [](const Scene& s) {
+         glNewList(1100, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         call_as<GLbyte>(GL_BYTE, 1150, 1100);
+       }},
+      {"floats", [](const Scene& s) {
+         glNewList(1100, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         call_as<GLfloat>(GL_FLOAT, 1000, 1100);
+       }},
+      {"two_bytes", [](const Scene& s) {
+         glNewList(1100, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         const GLubyte name[] = {1100 >> 8, 1100 & 255};
+         glCallLists(1, GL_2_BYTES, name);
+       }},
+      {"four_bytes", [](const Scene& s) {
+         glNewList(1100, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         const GLubyte name[] = {0, 0, 1100 >> 8, 1100 & 255};
+         glCallLists(1, GL_4_BYTES, name);
+       }},
+      {"call_lists_in_list", [](const Scene& s) {
+         glNewList(1100, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         const GLint name = 100;
+         glNewList(1101, GL_COMPILE);
+         glCallLists(1, GL_INT, &name);
+         glEndList();
+         glListBase(1000);
+         glCallList(1101);
+         glListBase(0);
+       }},
+      {"redefined",
+       [](const Scene& s) {
+         glNewList(9, GL_COMPILE);
+         something_else();
+         primitives(s);
+         something_else();
+         primitives(s);
+         glEndList();
+         glNewList(10, GL_COMPILE);
+         glCallList(9);
+         glEndList();
+         glNewList(9, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         glCallList(10);
+       }},
+      {"redefined_as_triangles",
+       [](const Scene& s) {
+         glNewList(9, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         glNewList(9, GL_COMPILE);
+         something_else();
+         glEndList();
+         glCallList(9);
+         glClear(GL_COLOR_BUFFER_BIT);
+         primitives(s);
+       }},
+      {"inside_begin",
+       [](const Scene& s) {
+         for (const Primitive& p : s.primitives) {
+           for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+             glNewList(20 + GLuint(i), GL_COMPILE);
+             vertex(p.vertices[i]);
+             glEndList();
+           }
+           glBegin(kModes[int(p.mode)]);
+           for (std::size_t i = 0; i < p.vertices.size(); ++i) glCallList(20 + GLuint(i));
+           glEnd();
+         }
+       }},
+      {"among_others",
+       [](const Scene& s) {
+         glNewList(9, GL_COMPILE);
+         something_else();
+         for (const Primitive& p : s.primitives) {
+           primitive(p);
+           something_else();
+         }
+         glEndList();
+         glCallList(9);
+       }},
+      {"deleted_inner",
+       [](const Scene& s) {
+         glNewList(9, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         glNewList(10, GL_COMPILE);
+         glCallList(9);
+         glEndList();
+         glDeleteLists(9, 1);
+         glCallList(10);
+         glCallList(9);
+       }},
+      {"shared",
+       [](const Scene& s) {
+         glNewList(9, GL_COMPILE);
+         primitives(s);
+         glEndList();
+         make_current(second_context);
+         glClear(GL_COLOR_BUFFER_BIT);
+         look(s);
+         glCallList(9);
+         glFinish();
+         make_current(first_context);
+       }},
+      {"matrices_in_list",
+       [](const Scene& s) {
+         look_elsewhere();
+         glNewList(9, GL_COMPILE);
+         look(s);
+         primitives(s);
+         glEndList();
+         glCallList(9);
+       }},
+  };
+  return all;
+}
+
+int run(int count, char** arguments) {
+  const auto way = count == 8 ? ways().find(arguments[6]) : ways().end();
+  if (way == ways().end()) {
+    std::fprintf(stderr, "usage: %s FAMILY FIRST COUNT WIDTH HEIGHT WAY FILE\n", arguments[0]);
+    return 2;
+  }
+  const Family& scenes = family(arguments[1]);
+  const unsigned first = unsigned(std::atoi(arguments[2])), seeds = unsigned(std::atoi(arguments[3]));
+  canvas_width = std::atoi(arguments[4]);
+  canvas_height = std::atoi(arguments[5]);
+  canvas.resize(std::size_t(canvas_width) * std::size_t(canvas_height) * 4);
+  std::FILE* file = std::fopen(arguments[7], "wb");
+  first_context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
+  second_context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, first_context);
+  if (!file || !first_context || !second_context) return 70;
+  make_current(first_context);
+  make_texture();
+  GLint texture = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+  make_current(second_context);
+  glBindTexture(GL_TEXTURE_2D, GLuint(texture));
+  make_current(first_context);
+  bool written = true;
+  for (unsigned seed = first; seed < first + seeds; ++seed) {
+    const Scene scene = scenes.make(seed, canvas_width, canvas_height);
+    glClear(GL_COLOR_BUFFER_BIT);
+    look(scene);
+    way->second(scene);
+    glFinish();
+    written = written && std::fwrite(canvas.data(), canvas.size(), 1, file) == 1;
+  }
+  for (OSMesaContext context : {second_context, first_context}) {
+    make_current(context);
+    if (const GLenum error = glGetError()) {
+      std::fprintf(stderr, "%s: GL error 0x%x\n", arguments[0], error);
+      return 1;
+    }
+  }
+  return std::fclose(file) == 0 && written ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace truequad::images
+
+int main(int count, char** arguments) { return truequad::images::run(count, arguments); }

@@ -1,0 +1,101 @@
+// A quad in a display list is drawn exactly as the same quad in immediate mode, whichever way the list is called; a list
+// without a quad to correct is as without truequad, bit for bit.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run.h"
+
+namespace truequad::lists_test {
+namespace {
+
+using doors_test::read_file;
+using doors_test::run;
+using doors_test::Scratch;
+
+struct Drawn {
+  std::string pictures;
+  long corrected = 0, listed = 0, immediate = 0;
+};
+
+Drawn draw(const std::string& family, const std::string& way, bool with_truequad) {
+  const Scratch scratch;
+  const std::string file = scratch / "raw", statistics = scratch / "json";
+  std::map<std::string, std::string> environment;
+  if (with_truequad) environment = {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", statistics}};
+  const auto ended = run({DRAW_LISTS, family, "0", "8", "160", "120", way, file}, environment);
+  EXPECT_EQ(ended.status, 0) << family << " " << way << ": " << ended.err;
+  EXPECT_EQ(ended.err, "");
+  Drawn drawn{read_file(file)};
+  EXPECT_EQ(drawn.pictures.size(), 8u * 160 * 120 * 4);
+  if (with_truequad) {
+    const auto json = nlohmann::json::parse(read_file(statistics), nullptr, false);
+    EXPECT_TRUE(json.is_object());
+    if (json.is_object()) {
+      drawn.corrected = json.value("corrected", -1L);
+      drawn.listed = json["by_path"].value("list", -1L);
+      drawn.immediate = json["by_path"].value("immediate", -1L);
+    }
+  }
+  return drawn;
+}
+
+struct Way {
+  const char* name;
+  int calls = 1;         // of the list, into the same picture or not
+  bool by_list = true;
+};
+constexpr Way kWays[] = {{"list"},       {"without_gen"}, {"execute"},   {"execute_then_call", 2}, {"called_twice", 2},
+                         {"nested"},     {"each_its_own"}, {"bytes"},    {"floats"},               {"two_bytes"},
+                         {"four_bytes"}, {"call_lists_in_list"}, {"redefined"}, {"redefined_as_triangles", 1, false},
+                         {"inside_begin"}, {"among_others"}, {"shared"}, {"matrices_in_list"}};
+
+class Ways : public testing::TestWithParam<Way> {};
+
+TEST_P(Ways, DrawWhatImmediateModeDraws) {
+  const Way way = GetParam();
+  for (const char* family : {"trapezoid", "dragged", "polygon", "near_plane", "strip", "mesh", "non_planar", "bow_tie"}) {
+    SCOPED_TRACE(family);
+    const Drawn immediate = draw(family, "immediate", true), listed = draw(family, way.name, true);
+    ASSERT_GT(immediate.corrected, 0);
+    EXPECT_TRUE(listed.pictures == immediate.pictures);
+    EXPECT_GE(listed.corrected, immediate.corrected);
+    if (way.by_list && std::string(way.name) != "inside_begin") {
+      EXPECT_GE(listed.listed, immediate.immediate);
+      EXPECT_EQ(listed.immediate, 0);
+    }
+  }
+}
+
+TEST_P(Ways, LeaveAffineQuadsToTheDriver) {
+  const Way way = GetParam();
+  const Drawn native = draw("affine", way.name, false), ours = draw("affine", way.name, true);
+  EXPECT_EQ(ours.corrected, 0);
+  EXPECT_TRUE(ours.pictures == native.pictures);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lists, Ways, testing::ValuesIn(kWays),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Lists, ADeletedListDrawsNothing) {
+  for (const char* family : {"trapezoid", "affine"}) {
+    const Drawn native = draw(family, "deleted_inner", false), ours = draw(family, "deleted_inner", true);
+    EXPECT_TRUE(ours.pictures == native.pictures);
+  }
+}
+
+// What a program can ask about lists, and the errors that it gets.
+TEST(Lists, AnswersAreTheDriversOwn) {
+  const auto native = run({ASK_LISTS});
+  const auto ours = run({ASK_LISTS}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", "-"}});
+  EXPECT_EQ(native.status, 0);
+  EXPECT_EQ(ours.status, 0);
+  EXPECT_NE(native.out, "");
+  EXPECT_EQ(ours.out, native.out);
+  const auto json = nlohmann::json::parse(ours.err, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ours.err;
+  EXPECT_GT(json.value("corrected", 0), 0);
+}
+
+}  // namespace
+}  // namespace truequad::lists_test
