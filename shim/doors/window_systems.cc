@@ -139,14 +139,6 @@ void* window_system_door(std::string_view name) {
     void* function;
   };
 #define TQ_DOOR(function) {#function, reinterpret_cast<void*>(&function)},
-#define TQ_MAKE_LISTS(api, name, parameters, arguments, base, count) \
-  TRUEQUAD_DOOR void name parameters {                               \
-    TQ_REAL(api, void, name, parameters);                            \
-    truequad::settle();                                              \
-    tq_real arguments;                                               \
-    truequad::lists_made(truequad::entry, GLuint(base), count);      \
-  }
-
 #define TQ_MAKE_LISTS(api, name, ...) TQ_DOOR(name)
 #define TQ_SWAP(api, result, name, ...) TQ_DOOR(name)
 #define TQ_SETTLE(api, result, name, ...) TQ_DOOR(name)
