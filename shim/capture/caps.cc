@@ -36,6 +36,11 @@ constexpr struct {
     {"ARB_transform_feedback2", &Caps::feedback_objects},
     {"EXT_transform_feedback", &Caps::primitive_queries},
     {"ARB_pipeline_statistics_query", &Caps::statistics_queries},
+    {"EXT_separate_specular_color", &Caps::separate_specular},
+    {"EXT_rescale_normal", &Caps::rescale_normal},
+    {"EXT_fragment_lighting", &Caps::fragment_lighting},
+    {"SGIX_fragment_lighting", &Caps::fragment_lighting},
+    {"ARB_color_buffer_float", &Caps::float_mode},
     {"EXT_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_provoking_vertex", &Caps::provoking_vertex},
 };
@@ -104,6 +109,9 @@ Caps read_caps(const Driver& driver) {
   caps.multitexture |= version >= 13;
   caps.secondary_color |= version >= 14;
   caps.fog_coord |= version >= 14;
+  caps.separate_specular |= version >= 12;
+  caps.rescale_normal |= version >= 12;
+  caps.color_clamp = caps.float_mode || version >= 30;
   caps.texture_3d |= version >= 12;
   caps.cube_map |= version >= 13;
   caps.rectangle |= version >= 31;
@@ -115,6 +123,7 @@ Caps read_caps(const Driver& driver) {
   caps.provoking_vertex |= version >= 32;
 
   caps.snap_px = std::ldexp(1.0, -std::clamp(get(driver, GL_SUBPIXEL_BITS, 4), 0, 30));
+  caps.lights = unsigned(std::max(0, get(driver, GL_MAX_LIGHTS, 8)));
   if (caps.multitexture) caps.texture_units = unsigned(std::max(1, get(driver, GL_MAX_TEXTURE_UNITS, 1)));
   caps.texture_coords = caps.texture_units;
   if (version >= 20 || caps.fragment_program) {

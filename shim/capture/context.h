@@ -19,10 +19,13 @@ struct Caps {
   bool vertex_program = false, fragment_program = false, nv_fragment_program = false;
   bool ati_fragment_shader = false, ext_vertex_shader = false, nv_texture_shader = false;
   bool feedback_objects = false, primitive_queries = false, statistics_queries = false;
+  bool separate_specular = false, rescale_normal = false, fragment_lighting = false;
+  bool color_clamp = false, float_mode = false;
   bool provoking_vertex = false;
   bool quads_follow_provoking = false;
   unsigned texture_units = 1;   // that have texture enables and generation
   unsigned texture_coords = 1;  // that have current coordinates
+  unsigned lights = 8;          // GL_MAX_LIGHTS
   double snap_px = 0;           // of the rasteriser's grid
   std::uint32_t extensions = 0;  // bit i: kExtensions[i] is advertised
 };

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 
+#include "capture/lights.h"
 #include "capture/replay.h"
 #include "capture/scratch.h"
 
@@ -31,8 +32,6 @@ RowId float_call(const Caps& caps, Slot slot, unsigned size) {
   }
 }
 
-namespace {
-
 bool same_everywhere(const Capture& c, Slot slot, const Quad& quad) {
   const unsigned first = quad.corner[0];
   for (unsigned place : quad.corner) {
@@ -49,12 +48,17 @@ unsigned provoking_corner(const Capture& c) {
   return c.mode == GL_QUAD_STRIP ? 2 : 3;
 }
 
+namespace {
+
+// What only lighting looks at, or replaces.
+constexpr SlotMask kLitSlots = bit(kColor) | bit(kSecondaryColor) | kMaterialSlots;
+
 // What every vertex of the quad has in common goes out once; the rest is returned.
-SlotMask send_common(Capture& c, const Quad& quad, SlotMask channels) {
+SlotMask send_common(Capture& c, const Quad& quad, SlotMask channels, SlotMask flat) {
   SlotMask varying = 0;
   const unsigned provoking = quad.corner[provoking_corner(c)];
   for_each_slot(channels, [&](Slot slot) {
-    if (c.view.flat && (bit(slot) & kFlatSlots)) replay_at(c, slot, provoking);
+    if (flat & bit(slot)) replay_at(c, slot, provoking);
     else if (same_everywhere(c, slot, quad)) replay_at(c, slot, quad.corner[0]);
     else varying |= bit(slot);
   });
@@ -66,20 +70,28 @@ double length(const float (&x)[4]) { return std::sqrt(double(x[0]) * x[0] + doub
 // One attribute over the quad, at any (u, v).
 class Channel {
  public:
+  // What the program gave.
   Channel(const Capture& c, const Caps& caps, Slot slot, const Quad& quad) : slot_(slot) {
     for (int i = 0; i < 4; ++i) corner_[i] = c.at[slot][quad.corner[i]];
     row_ = float_call(caps, slot, size());
-    if ((slot == kColor || slot == kSecondaryColor) && !c.view.lighting) {
+    if ((slot == kColor || slot == kSecondaryColor) && !c.view.lighting && c.view.clamps_colours) {
       // Unlit colours are clamped before they are interpolated (GL 2.1 section 2.14.6).
-      for (Float4& x : corner_) {
-        for (float& component : x.at) component = component > 0 ? (component < 1 ? component : 1) : 0;
-      }
+      for (Float4& x : corner_) clamp_colour(x);
     }
     if (slot == kNormal) {
       for (int i = 0; i < 4; ++i) length_[i] = length(corner_[i].at);
     }
   }
+  // What lighting made of it.
+  Channel(const Caps& caps, Slot slot, const Float4 (&corner)[4]) : slot_(slot), row_(float_call(caps, slot, 4)) {
+    for (int i = 0; i < 4; ++i) corner_[i] = corner[i];
+  }
   Slot slot() const { return slot_; }
+
+  bool varies() const {
+    return std::any_of(corner_ + 1, corner_ + 4,
+                       [&](const Float4& x) { return std::memcmp(&x, &corner_[0], sizeof x) != 0; });
+  }
 
   void send(const Driver& driver, const Float4& value) const { replay(driver, slot_, row_, value, kNoRaw); }
 
@@ -124,6 +136,41 @@ unsigned corner_at(Param p) {
   return p.v == 0 ? (p.u == 0 ? 0 : 1) : (p.u == 0 ? 3 : 2);
 }
 
+// All that differs between the vertices of a mesh, the position apart. What the program gave comes first, then the lit
+// colours: of one side, or of the front and then of the back.
+struct Channels {
+  alignas(Channel) unsigned char memory[Scratch::kMaxChannels * sizeof(Channel)];
+  unsigned given = 0;
+  unsigned lit_first[2] = {}, lit_count = 0;  // by side; for each
+  unsigned count = 0;
+
+  template <typename... Arguments>
+  void add(const Arguments&... arguments) {
+    new (memory + count++ * sizeof(Channel)) Channel(arguments...);
+  }
+  const Channel& operator[](unsigned i) const {
+    return *std::launder(reinterpret_cast<const Channel*>(memory + i * sizeof(Channel)));
+  }
+};
+
+void add_lit(const Driver& driver, const Caps& caps, const LitCorners& lit, Channels& out) {
+  const bool both = lit.side[kFront] && lit.side[kBack];
+  for (const Side side : {kFront, kBack}) {
+    if (!lit.side[side]) continue;
+    out.lit_first[side] = out.count;
+    const auto add = [&](Slot slot, const Float4(&corners)[4]) {
+      const Channel channel(caps, slot, corners);
+      if (both || channel.varies()) out.add(channel);
+      else channel.send(driver, corners[0]);
+    };
+    add(kColor, lit.primary[side]);
+    if (lit.separate) add(kSecondaryColor, lit.secondary[side]);
+    out.lit_count = out.count - out.lit_first[side];
+  }
+  if (!lit.side[kFront]) out.lit_first[kFront] = out.lit_first[kBack];
+  if (!lit.side[kBack]) out.lit_first[kBack] = out.lit_first[kFront];
+}
+
 }  // namespace
 
 void draw_mesh(Capture& c, const Quad& quad) {
@@ -133,35 +180,48 @@ void draw_mesh(Capture& c, const Quad& quad) {
   const MeshSize size = mesh_size(s.plan);
   tessellate(s.plan, {s.params, size.vertices}, {s.triangles, size.triangles});
 
-  const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots);
+  LitCorners lit;
+  const bool own_light = c.view.lighting && light_corners(c, quad, lit);
+  if (c.mesh_unlit != own_light) close_mesh(c);
+  if (own_light && !c.mesh_unlit) begin_unlit(c);
+  const SlotMask sent = c.live & kInterpolatedSlots & ~(own_light ? kLitSlots : 0);
+  // Without lighting, normals serve to generate texture coordinates, which are not flat.
+  const SlotMask flat = !c.view.flat ? 0 : c.view.lighting && !own_light ? kFlatSlots | bit(kNormal) : kFlatSlots;
+  const SlotMask varying = send_common(c, quad, sent, flat);
   const Channel position(c, caps, kPosition, quad);
-  alignas(Channel) unsigned char memory[Scratch::kMaxChannels * sizeof(Channel)];
-  Channel* const channels = reinterpret_cast<Channel*>(memory);
-  unsigned count = 0;
-  for_each_slot(varying, [&](Slot slot) { new (&channels[count++]) Channel(c, caps, slot, quad); });
-  const unsigned stride = count + 1;
+  Channels channels;
+  for_each_slot(varying, [&](Slot slot) { channels.add(c, caps, slot, quad); });
+  channels.given = channels.count;
+  if (own_light) add_lit(driver, caps, lit, channels);
+  const unsigned stride = channels.count + 1;
 
   // Each vertex is computed once, though a triangle list sends it several times.
   for (std::size_t i = 0; i < size.vertices; ++i) {
     Float4* const out = s.values + i * stride;
     out[0] = position.at(s.params[i]);
-    for (unsigned k = 0; k < count; ++k) out[1 + k] = channels[k].at(s.params[i]);
+    for (unsigned k = 0; k < channels.count; ++k) out[1 + k] = channels[k].at(s.params[i]);
   }
   if (!c.mesh_open) {
     driver.Begin(GL_TRIANGLES);
     c.mesh_open = true;
   }
   for (std::size_t t = 0; t < size.triangles; ++t) {
-    for (const unsigned vertex : {s.triangles[t].a, s.triangles[t].b, s.triangles[t].c}) {
+    const Triangle& triangle = s.triangles[t];
+    unsigned lit_first = channels.lit_first[kFront];
+    if (channels.lit_first[kBack] != lit_first) {
+      lit_first = channels.lit_first[side_of(c, s.values[triangle.a * stride], s.values[triangle.b * stride],
+                                             s.values[triangle.c * stride])];
+    }
+    for (const unsigned vertex : {triangle.a, triangle.b, triangle.c}) {
       const unsigned corner = corner_at(s.params[vertex]);
-      if (corner < 4) {
-        for (unsigned k = 0; k < count; ++k) replay_at(c, channels[k].slot(), quad.corner[corner]);
-        replay_at(c, kPosition, quad.corner[corner]);
-        continue;
-      }
       const Float4* const values = s.values + vertex * stride;
-      for (unsigned k = 0; k < count; ++k) channels[k].send(driver, values[1 + k]);
-      position.send(driver, values[0]);
+      for (unsigned k = 0; k < channels.given; ++k) {
+        if (corner < 4) replay_at(c, channels[k].slot(), quad.corner[corner]);
+        else channels[k].send(driver, values[1 + k]);
+      }
+      for (unsigned k = lit_first; k < lit_first + channels.lit_count; ++k) channels[k].send(driver, values[1 + k]);
+      if (corner < 4) replay_at(c, kPosition, quad.corner[corner]);
+      else position.send(driver, values[0]);
     }
   }
 }
@@ -171,7 +231,7 @@ void draw_projected(Capture& c, const Quad& quad, unsigned units) {
   const Plan& plan = c.scratch->plan;
   close_mesh(c);
   const SlotMask projected = SlotMask(units) << kTexture;
-  const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots & ~projected);
+  const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots & ~projected, 0);
   // In the program's own mode: drivers choose the diagonal by it, and with the diagonal the depths.
   constexpr unsigned kInOrder[] = {0, 1, 2, 3}, kInStrip[] = {0, 1, 3, 2};
   c.driver->Begin(c.mode);

@@ -8,6 +8,12 @@ namespace truequad {
 // The call that gives `size` floats (1 to 4) of a slot that is interpolated, or of the position.
 RowId float_call(const Caps& caps, Slot slot, unsigned size);
 
+// All four corners have the same value, bit for bit.
+bool same_everywhere(const Capture& c, Slot slot, const Quad& quad);
+
+// The corner whose colours flat shading shows.
+unsigned provoking_corner(const Capture& c);
+
 // Draws the mesh of the scratch's plan. The driver may be inside our glBegin(GL_TRIANGLES), and is afterwards.
 void draw_mesh(Capture& c, const Quad& quad);
 

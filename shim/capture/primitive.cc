@@ -307,6 +307,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.watch = c.listing ? Watch::kNothing : watch(c, reason);
   if (c.watch == Watch::kNothing && !c.listing) c.unnoted = true;
   if (c.listing || e.playing) c.counted_before = c.counters.quads();
+  c.lights_read = LightsRead::kNothing;
   if (reason != Reason::kNone) {
     c.passive_reason = reason;
     c.live = ~SlotMask(0);

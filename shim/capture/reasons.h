@@ -26,6 +26,7 @@ namespace truequad {
   REASON(kPolygonMode, polygon_mode)                                                                      \
   REASON(kPolygonSmooth, polygon_smooth)                                                                  \
   REASON(kTransformFeedbackOrQuery, transform_feedback_or_query)                                          \
+  REASON(kLighting, lighting)                                                                             \
   REASON(kEarlierPass, earlier_pass)                                                                      \
   REASON(kUnmodelledCall, unmodelled_call)                                                                \
   REASON(kMissingExtension, missing_extension)                                                            \

@@ -1,6 +1,7 @@
 // Working space of one thread: allocated at its first correction, none after that.
 #pragma once
 
+#include "capture/lights.h"
 #include "capture/slots.h"
 #include "capture/values.h"
 #include "truequad/kernel.h"
@@ -15,6 +16,7 @@ struct Scratch {
   static_assert(kMaxChannels >= std::popcount(kInterpolatedSlots) + 1);
 
   Plan plan;
+  Lights lights;
   Param params[kMaxVertices];
   Triangle triangles[kTriangleCap];
   Float4 values[std::size_t(kMaxVertices) * kMaxChannels];  // vertex after vertex, a value for each channel

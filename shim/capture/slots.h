@@ -39,8 +39,8 @@ inline constexpr SlotMask kGenericSlots = bits(kGeneric, kGenericAttributes - 1)
 // only to programs, which are passed too.
 inline constexpr SlotMask kInterpolatedSlots =
     ~(bit(kPosition) | bit(kEdgeFlag) | kGenericSlots) & bits(0, kSlots);
-// What flat shading takes from the provoking vertex alone: the colours, and everything that lights them.
-inline constexpr SlotMask kFlatSlots = bit(kColor) | bit(kSecondaryColor) | bit(kNormal) | bit(kIndex) | kMaterialSlots;
+// What flat shading takes from the provoking vertex alone: the colours and, if the driver lights them, the normal.
+inline constexpr SlotMask kFlatSlots = bit(kColor) | bit(kSecondaryColor) | bit(kIndex) | kMaterialSlots;
 
 // Calls f(slot) for each slot of a mask, lowest first.
 template <typename F>

@@ -5,6 +5,7 @@
 
 #include "capture/context.h"
 #include "capture/entry.h"
+#include "capture/lights.h"
 #include "capture/rows.h"
 #include "capture/slots.h"
 #include "capture/stats.h"
@@ -65,7 +66,9 @@ struct Capture {
   std::uint64_t quads = 0;      // completed in this Begin
   bool began = false;           // the driver has seen a glBegin since the program's
   bool mesh_open = false;       // the driver is inside our glBegin(GL_TRIANGLES)
+  bool mesh_unlit = false;      // and GL_LIGHTING, which the program has enabled, is off for it
   bool corrected = false;       // something in this Begin was
+  LightsRead lights_read = LightsRead::kNothing;
   bool view_read = false;
   bool listing = false;         // a list is being compiled: the driver draws nothing now
   std::uint64_t counted_before = 0;  // quads of this thread before this Begin, if it is of a list
@@ -102,11 +105,12 @@ bool quad_complete(Capture& c);
 void set_first(Capture& c, Slot slot);
 // Gives up for the rest of this Begin. Afterwards the driver has seen everything, and calls are forwarded.
 void abandon(Capture& c, Reason reason);
-// Ends our own glBegin(GL_TRIANGLES), if open: the driver is outside Begin/End then.
+// Ends our own glBegin(GL_TRIANGLES), if open: the driver is outside Begin/End then, its state the program's.
 inline void close_mesh(Capture& c) {
   if (!c.mesh_open) return;
   c.mesh_open = false;
   c.driver->End();
+  if (c.mesh_unlit) end_unlit(c);
 }
 
 }  // namespace truequad

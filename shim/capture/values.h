@@ -18,6 +18,11 @@ struct alignas(16) Float4 {
   float at[4];
 };
 
+// Section 2.14.6.
+inline void clamp_colour(Float4& x) {
+  for (float& component : x.at) component = component > 0 ? (component < 1 ? component : 1) : 0;
+}
+
 // IEEE 754 half precision.
 inline float from_half(std::uint16_t half) {
   const std::uint32_t sign = std::uint32_t(half & 0x8000u) << 16;

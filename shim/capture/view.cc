@@ -43,6 +43,11 @@ bool primitives_counted(const Driver& driver, const Caps& caps) {
   return std::any_of(std::begin(kCounted), std::end(kCounted), active);
 }
 
+// Lights whose effect is computed for each fragment, from normals.
+bool lit_by_fragments(const Driver& driver, const Caps& caps) {
+  return caps.fragment_lighting && driver.IsEnabled(GL_FRAGMENT_LIGHTING_SGIX);
+}
+
 // Column-major product, in double: the drivers keep floats.
 std::array<double, 16> product(const GLfloat (&a)[16], const GLfloat (&b)[16]) {
   std::array<double, 16> result;
@@ -65,7 +70,21 @@ Reason find_reason(const Driver& driver, const Caps& caps) {
   if (polygon_mode[0] != GL_FILL || polygon_mode[1] != GL_FILL) return Reason::kPolygonMode;
   if (driver.IsEnabled(GL_POLYGON_SMOOTH)) return Reason::kPolygonSmooth;
   if (primitives_counted(driver, caps)) return Reason::kTransformFeedbackOrQuery;
+  if (lit_by_fragments(driver, caps)) return Reason::kLighting;
   return Reason::kNone;
+}
+
+// A corrected quad is drawn without lighting (lights.h). Its specular colour then needs a secondary colour.
+bool lighting_needs_color_sum(const Driver& driver, const Caps& caps) {
+  return caps.separate_specular && !caps.secondary_color &&
+         get(driver, GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;
+}
+
+bool clamps_colours(const Driver& driver, const Caps& caps) {
+  if (!caps.color_clamp) return true;
+  const GLint clamp = get(driver, GL_CLAMP_VERTEX_COLOR);
+  if (clamp != GL_FIXED_ONLY) return clamp != GL_FALSE;
+  return !(caps.float_mode && get(driver, GL_RGBA_FLOAT_MODE_ARB) != 0);
 }
 
 void read_tests(const Driver& driver, FrameView& out) {
@@ -85,15 +104,20 @@ void read_view(const Driver& driver, const Caps& caps, FrameView& out) {
   out.pass = find_reason(driver, caps);
   if (out.pass != Reason::kNone) return;
 
-  GLfloat modelview[16] = {}, projection[16] = {}, viewport[4] = {};
-  driver.GetFloatv(GL_MODELVIEW_MATRIX, modelview);
+  out.lighting = driver.IsEnabled(GL_LIGHTING);
+  if (out.lighting && lighting_needs_color_sum(driver, caps)) {
+    out.pass = Reason::kLighting;
+    return;
+  }
+  GLfloat projection[16] = {}, viewport[4] = {};
+  driver.GetFloatv(GL_MODELVIEW_MATRIX, out.modelview);
   driver.GetFloatv(GL_PROJECTION_MATRIX, projection);
   driver.GetFloatv(GL_VIEWPORT, viewport);
-  out.view.clip_from_object = product(projection, modelview);
+  out.view.clip_from_object = product(projection, out.modelview);
   out.view.viewport = {viewport[0], viewport[1], viewport[2], viewport[3]};
   out.view.snap_px = caps.snap_px;
 
-  out.lighting = driver.IsEnabled(GL_LIGHTING);
+  out.clamps_colours = clamps_colours(driver, caps);
   read_tests(driver, out);
   out.flat = get(driver, GL_SHADE_MODEL) == GL_FLAT;
   out.first_vertex_provokes = out.flat && caps.provoking_vertex && caps.quads_follow_provoking &&

@@ -10,8 +10,10 @@ namespace truequad {
 struct FrameView {
   Reason pass = Reason::kNone;  // every quad of this Begin is left alone
   View view;
+  float modelview[16] = {};
   bool flat = false;
   bool lighting = false;
+  bool clamps_colours = true;          // of vertices, lit or not (GL 2.1 section 2.14.6, ARB_color_buffer_float)
   bool first_vertex_provokes = false;  // of a GL_QUADS or GL_QUAD_STRIP quad, under flat shading
   // Passes over the same vertices (drawn.h): the picture depends on what earlier ones drew; only on where they drew it
   // just so (GL_EQUAL); and later ones may depend on this one.

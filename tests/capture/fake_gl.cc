@@ -108,7 +108,10 @@ void set_material(GLenum face, GLenum property, const T* values, bool scalar) {
   if (property == GL_SHININESS && !(value[0] >= 0 && value[0] <= 128)) return g.error(GL_INVALID_VALUE);
   for (unsigned side = 0; side < 2; ++side) {
     if ((face == GL_FRONT && side == 1) || (face == GL_BACK && side == 0)) continue;
-    for (unsigned i = 0; i < (both ? 2u : 1u); ++i) g.set(kMaterial + side * kMaterialProperties + first + i, value);
+    for (unsigned i = 0; i < (both ? 2u : 1u); ++i) {
+      const unsigned place = kMaterial + side * kMaterialProperties + first + i;
+      if (!g.tracked(place)) g.set(place, value);
+    }
   }
 }
 
@@ -223,6 +226,24 @@ bool is_unit_enable(GLenum name) {
   return std::find(std::begin(kUnitEnables), std::end(kUnitEnables), name) != std::end(kUnitEnables);
 }
 
+// Names that this driver does not know.
+bool unknown(const Gl& g, GLenum name) {
+  constexpr struct {
+    GLenum name;
+    int version;
+    const char* extension;
+  } kSince[] = {
+      {GL_LIGHT_MODEL_COLOR_CONTROL, 12, "EXT_separate_specular_color"},
+      {GL_RESCALE_NORMAL, 12, "EXT_rescale_normal"},
+      {GL_COLOR_SUM, 14, "EXT_secondary_color"},
+      {GL_CLAMP_VERTEX_COLOR, 30, "ARB_color_buffer_float"},
+      {GL_RGBA_FLOAT_MODE_ARB, 99, "ARB_color_buffer_float"},
+      {GL_FRAGMENT_LIGHTING_SGIX, 99, "SGIX_fragment_lighting"},
+  };
+  const auto* known = std::find_if(std::begin(kSince), std::end(kSince), [&](auto& x) { return x.name == name; });
+  return known != std::end(kSince) && g.version_number() < known->version && !g.extension(known->extension);
+}
+
 }  // namespace
 
 struct Functions {
@@ -240,7 +261,7 @@ struct Functions {
     g.called(kCommandEnd, nullptr, 0);
     if (!g.inside) return g.error(GL_INVALID_OPERATION);
     g.inside = false;
-    if (g.logging) g.drawn.push_back({g.mode_, g.vertices_});
+    if (g.logging) g.drawn.push_back({g.mode_, g.vertices_, g.enabled});
   }
   static GLenum GLAPIENTRY get_error() {
     Gl& g = gl();
@@ -292,7 +313,7 @@ struct Functions {
       default: break;
     }
     const auto found = g.numbers.find(name);
-    if (found == g.numbers.end()) return g.error(GL_INVALID_ENUM);
+    if (found == g.numbers.end() || unknown(g, name)) return g.error(GL_INVALID_ENUM);
     std::transform(found->second.begin(), found->second.end(), out, [](double x) { return T(x); });
   }
   static void GLAPIENTRY get_integer(GLenum name, GLint* out) { get(kCommandGetIntegerv, name, out); }
@@ -302,7 +323,7 @@ struct Functions {
     Gl& g = gl();
     if (!query(kCommandIsEnabled, name)) return GL_FALSE;
     const int v = g.version_number();
-    if ((name == GL_TEXTURE_3D && v < 12) || (name == GL_TEXTURE_CUBE_MAP && v < 13) ||
+    if (unknown(g, name) || (name == GL_TEXTURE_3D && v < 12) || (name == GL_TEXTURE_CUBE_MAP && v < 13) ||
         (name == GL_TEXTURE_RECTANGLE && v < 31 && !g.extension("ARB_texture_rectangle")) ||
         (name == GL_VERTEX_PROGRAM_ARB && !g.extension("ARB_vertex_program")) ||
         (name == GL_FRAGMENT_PROGRAM_ARB && !g.extension("ARB_fragment_program")) ||
@@ -367,6 +388,23 @@ struct Functions {
     const Value& value = g.current[kMaterial + (face == GL_BACK ? kMaterialProperties : 0) + index];
     std::copy(value.begin(), value.begin() + material_size(property), out);
   }
+  static void GLAPIENTRY get_light(GLenum light, GLenum property, GLfloat* out) {
+    Gl& g = gl();
+    if (!query(kCommandGetLightfv, property)) return;
+    const auto found = g.lights.find(light);
+    if (found == g.lights.end() || !found->second.contains(property)) return g.error(GL_INVALID_ENUM);
+    const std::vector<float>& values = found->second[property];
+    std::copy(values.begin(), values.end(), out);
+  }
+  static void GLAPIENTRY enable(GLenum name) { set_enabled(kCommandEnable, name, true); }
+  static void GLAPIENTRY disable(GLenum name) { set_enabled(kCommandDisable, name, false); }
+  static void set_enabled(unsigned command, GLenum name, bool on) {
+    Gl& g = gl();
+    g.called(command, &name, sizeof name);
+    if (g.inside) return g.error(GL_INVALID_OPERATION);
+    if (unknown(g, name)) return g.error(GL_INVALID_ENUM);
+    g.enable(name, on);
+  }
   static void GLAPIENTRY active_texture(GLenum texture) {
     Gl& g = gl();
     g.called(kCommandActiveTexture, &texture, sizeof texture);
@@ -379,14 +417,16 @@ struct Functions {
     g.called(kCommandPushAttrib, &mask, sizeof mask);
     if (g.inside) return g.error(GL_INVALID_OPERATION);
     if (g.attribute_stack.size() >= g.numbers[GL_MAX_ATTRIB_STACK_DEPTH][0]) return g.error(GL_STACK_OVERFLOW);
-    g.attribute_stack.push_back(g.current);
+    g.attribute_stack.push_back({g.current, g.enabled, g.unit_enabled});
   }
   static void GLAPIENTRY pop_attrib() {
     Gl& g = gl();
     g.called(kCommandPopAttrib, nullptr, 0);
     if (g.inside) return g.error(GL_INVALID_OPERATION);
     if (g.attribute_stack.empty()) return g.error(GL_STACK_UNDERFLOW);
-    g.current = g.attribute_stack.back();
+    g.current = g.attribute_stack.back().current;
+    g.enabled = g.attribute_stack.back().enabled;
+    g.unit_enabled = g.attribute_stack.back().unit_enabled;
     g.attribute_stack.pop_back();
   }
 
@@ -411,6 +451,9 @@ struct Functions {
     d.GetHandleARB = get_handle;
     d.GetQueryiv = get_query;
     d.GetMaterialfv = get_material;
+    d.GetLightfv = get_light;
+    d.Enable = enable;
+    d.Disable = disable;
     d.ActiveTexture = d.ActiveTextureARB = active_texture;
     d.PushAttrib = push_attrib;
     d.PopAttrib = pop_attrib;
@@ -427,6 +470,29 @@ Gl::Gl() {
   numbers[GL_MAX_TEXTURE_COORDS] = {8};
   numbers[GL_SHADE_MODEL] = {GL_SMOOTH};
   numbers[GL_MAX_ATTRIB_STACK_DEPTH] = {16};
+  numbers[GL_RGBA_MODE] = {GL_TRUE};
+  numbers[GL_CLAMP_VERTEX_COLOR] = {GL_TRUE};
+  numbers[GL_RGBA_FLOAT_MODE_ARB] = {GL_FALSE};
+  numbers[GL_FRONT_FACE] = {GL_CCW};
+  numbers[GL_MAX_LIGHTS] = {8};
+  numbers[GL_LIGHT_MODEL_AMBIENT] = {0.2, 0.2, 0.2, 1};
+  numbers[GL_LIGHT_MODEL_LOCAL_VIEWER] = numbers[GL_LIGHT_MODEL_TWO_SIDE] = {GL_FALSE};
+  numbers[GL_LIGHT_MODEL_COLOR_CONTROL] = {GL_SINGLE_COLOR};
+  numbers[GL_COLOR_MATERIAL_FACE] = {GL_FRONT_AND_BACK};
+  numbers[GL_COLOR_MATERIAL_PARAMETER] = {GL_AMBIENT_AND_DIFFUSE};
+  for (GLenum light = GL_LIGHT0; light < GL_LIGHT0 + 8; ++light) {
+    const float bright = light == GL_LIGHT0 ? 1 : 0;
+    lights[light] = {{GL_AMBIENT, {0, 0, 0, 1}},
+                     {GL_DIFFUSE, {bright, bright, bright, 1}},
+                     {GL_SPECULAR, {bright, bright, bright, 1}},
+                     {GL_POSITION, {0, 0, 1, 0}},
+                     {GL_SPOT_DIRECTION, {0, 0, -1}},
+                     {GL_SPOT_EXPONENT, {0}},
+                     {GL_SPOT_CUTOFF, {180}},
+                     {GL_CONSTANT_ATTENUATION, {1}},
+                     {GL_LINEAR_ATTENUATION, {0}},
+                     {GL_QUADRATIC_ATTENUATION, {0}}};
+  }
   numbers[GL_MODELVIEW_MATRIX] = numbers[GL_PROJECTION_MATRIX] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   numbers[GL_VIEWPORT] = {0, 0, 400, 400};
   for (Value& value : current) value = {0, 0, 0, 1};
@@ -444,7 +510,30 @@ void Gl::called(unsigned command, const void* arguments, std::size_t size) {
   if (logging) log.push_back({command, std::string(static_cast<const char*>(arguments), size)});
 }
 
-void Gl::set(unsigned place, const Value& value) { current[place] = value; }
+void Gl::set(unsigned place, const Value& value) {
+  current[place] = value;
+  if (place != kColor || !enabled.contains(GL_COLOR_MATERIAL)) return;
+  for (unsigned material = kMaterial; material < kMaterial + 2 * kMaterialProperties; ++material) {
+    if (tracked(material)) current[material] = value;
+  }
+}
+
+void Gl::enable(GLenum name, bool on) {
+  std::set<GLenum>& all = is_unit_enable(name) ? unit_enabled[active_unit] : enabled;
+  if (on) all.insert(name);
+  else all.erase(name);
+  if (name == GL_COLOR_MATERIAL) set(kColor, current[kColor]);
+}
+
+bool Gl::tracked(unsigned place) const {
+  if (!enabled.contains(GL_COLOR_MATERIAL)) return false;
+  constexpr GLenum kProperties[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION};
+  const unsigned face = (place - kMaterial) / kMaterialProperties, property = (place - kMaterial) % kMaterialProperties;
+  const GLenum tracked_face = GLenum(numbers.at(GL_COLOR_MATERIAL_FACE)[0]);
+  const GLenum tracked_property = GLenum(numbers.at(GL_COLOR_MATERIAL_PARAMETER)[0]);
+  if (tracked_face == (face == 0 ? GL_BACK : GL_FRONT) || property >= std::size(kProperties)) return false;
+  return tracked_property == GL_AMBIENT_AND_DIFFUSE ? property < 2 : kProperties[property] == tracked_property;
+}
 
 void Gl::vertex(const Value& position) {
   if (!inside || !logging) return;

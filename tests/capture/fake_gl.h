@@ -32,6 +32,14 @@ struct Call {
 struct Primitive {
   GLenum mode;
   std::vector<Values> vertices;
+  std::set<GLenum> enabled;  // at its glBegin
+};
+
+// What glPushAttrib keeps.
+struct Attributes {
+  Values current{};
+  std::set<GLenum> enabled;
+  std::map<unsigned, std::set<GLenum>> unit_enabled;
 };
 
 class Gl {
@@ -45,6 +53,7 @@ class Gl {
   std::set<GLenum> enabled;                       // but those of texture units
   std::map<unsigned, std::set<GLenum>> unit_enabled;
   std::map<GLenum, GLint> queries;  // glGetQueryiv(CURRENT_QUERY)
+  std::map<GLenum, std::map<GLenum, std::vector<float>>> lights;  // glGetLightfv
   unsigned units = 8;
   bool logging = true;  // off: nothing below is kept that would allocate
 
@@ -57,7 +66,7 @@ class Gl {
   std::size_t gets = 0;        // queries of any kind
   std::size_t get_errors = 0;  // calls of glGetError
   bool inside = false;
-  std::vector<Values> attribute_stack;
+  std::vector<Attributes> attribute_stack;
   unsigned active_unit = 0;
 
   void error(GLenum code);
@@ -67,6 +76,9 @@ class Gl {
   // For the functions in the table.
   void called(unsigned command, const void* arguments, std::size_t size);
   void set(unsigned place, const Value& value);
+  void enable(GLenum name, bool on);
+  // Material properties that have the current colour (GL 2.1 section 2.14.3).
+  bool tracked(unsigned place) const;
   void vertex(const Value& position);
   GLenum flag = GL_NO_ERROR;
 
