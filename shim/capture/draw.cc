@@ -74,6 +74,7 @@ class Channel {
   Channel(const Capture& c, const Caps& caps, Slot slot, const Quad& quad) : slot_(slot) {
     for (int i = 0; i < 4; ++i) corner_[i] = c.at[slot][quad.corner[i]];
     row_ = float_call(caps, slot, size());
+    for (unsigned place : quad.corner) longer_ |= kRows[c.row[slot][place]].size < kRows[row_].size;
     if ((slot == kColor || slot == kSecondaryColor) && !c.view.lighting && c.view.clamps_colours) {
       // Unlit colours are clamped before they are interpolated (GL 2.1 section 2.14.6).
       for (Float4& x : corner_) clamp_colour(x);
@@ -87,6 +88,8 @@ class Channel {
     for (int i = 0; i < 4; ++i) corner_[i] = corner[i];
   }
   Slot slot() const { return slot_; }
+  // Our calls give more components than the program's.
+  bool longer() const { return longer_; }
 
   bool varies() const {
     return std::any_of(corner_ + 1, corner_ + 4,
@@ -126,6 +129,7 @@ class Channel {
 
   Slot slot_;
   RowId row_;
+  bool longer_ = false;
   Float4 corner_[4];
   double length_[4] = {};
 };
@@ -190,7 +194,10 @@ void draw_mesh(Capture& c, const Quad& quad) {
   const SlotMask varying = send_common(c, quad, sent, flat);
   const Channel position(c, caps, kPosition, quad);
   Channels channels;
-  for_each_slot(varying, [&](Slot slot) { channels.add(c, caps, slot, quad); });
+  for_each_slot(varying, [&](Slot slot) {
+    channels.add(c, caps, slot, quad);
+    c.calls_grew |= channels[channels.count - 1].longer();
+  });
   channels.given = channels.count;
   if (own_light) add_lit(driver, caps, lit, channels);
   const unsigned stride = channels.count + 1;
@@ -216,7 +223,7 @@ void draw_mesh(Capture& c, const Quad& quad) {
       const unsigned corner = corner_at(s.params[vertex]);
       const Float4* const values = s.values + vertex * stride;
       for (unsigned k = 0; k < channels.given; ++k) {
-        if (corner < 4) replay_at(c, channels[k].slot(), quad.corner[corner]);
+        if (corner < 4 && !channels[k].longer()) replay_at(c, channels[k].slot(), quad.corner[corner]);
         else channels[k].send(driver, values[1 + k]);
       }
       for (unsigned k = lit_first; k < lit_first + channels.lit_count; ++k) channels[k].send(driver, values[1 + k]);
@@ -229,7 +236,7 @@ void draw_mesh(Capture& c, const Quad& quad) {
 void draw_projected(Capture& c, const Quad& quad, unsigned units) {
   const Caps& caps = c.entry->context->caps;
   const Plan& plan = c.scratch->plan;
-  close_mesh(c);
+  if (c.mesh_open) close_mesh(c);
   const SlotMask projected = SlotMask(units) << kTexture;
   const SlotMask varying = send_common(c, quad, c.live & kInterpolatedSlots & ~projected, 0);
   // In the program's own mode: drivers choose the diagonal by it, and with the diagonal the depths.
@@ -248,6 +255,24 @@ void draw_projected(Capture& c, const Quad& quad, unsigned units) {
     replay_at(c, kPosition, place);
   }
   c.driver->End();
+  c.calls_grew |= projected != 0;
+}
+
+// Mesa (vbo_exec_fixup_vertex) sets the components that a call does not give to their defaults when a call is shorter than
+// the last one. But if calls became shorter before, and then longer again, it does not see that they become shorter once
+// more, and the program's current values keep components of ours. Any change of state lets it begin anew.
+void end_batch(Capture& c) {
+  const Driver& driver = *c.driver;
+  const Caps& caps = c.entry->context->caps;
+  c.calls_grew = false;
+  if (!caps.multitexture || caps.texture_units < 2) return;
+  GLint before = GL_TEXTURE0;
+  driver.GetIntegerv(GL_ACTIVE_TEXTURE, &before);
+  const GLenum other = before == GL_TEXTURE0 ? GL_TEXTURE1 : GL_TEXTURE0;
+  for (const GLenum texture : {other, GLenum(before)}) {
+    if (caps.multitexture_core) driver.ActiveTexture(texture);
+    else driver.ActiveTextureARB(texture);
+  }
 }
 
 }  // namespace truequad

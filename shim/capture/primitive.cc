@@ -302,7 +302,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.raw_kept = 0;
   c.extensions_used = 0;
   c.quads = 0;
-  c.began = c.mesh_open = c.corrected = c.view_read = false;
+  c.began = c.mesh_open = c.mesh_unlit = c.calls_grew = c.corrected = c.view_read = false;
   c.listing = e.list != nullptr;
   c.watch = c.listing ? Watch::kNothing : watch(c, reason);
   if (c.watch == Watch::kNothing && !c.listing) c.unnoted = true;

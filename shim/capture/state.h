@@ -67,6 +67,7 @@ struct Capture {
   bool began = false;           // the driver has seen a glBegin since the program's
   bool mesh_open = false;       // the driver is inside our glBegin(GL_TRIANGLES)
   bool mesh_unlit = false;      // and GL_LIGHTING, which the program has enabled, is off for it
+  bool calls_grew = false;      // longer calls were sent than the program's own, see end_batch()
   bool corrected = false;       // something in this Begin was
   LightsRead lights_read = LightsRead::kNothing;
   bool view_read = false;
@@ -105,12 +106,16 @@ bool quad_complete(Capture& c);
 void set_first(Capture& c, Slot slot);
 // Gives up for the rest of this Begin. Afterwards the driver has seen everything, and calls are forwarded.
 void abandon(Capture& c, Reason reason);
+// draw.cc: makes the driver forget which sizes of calls it has seen.
+void end_batch(Capture& c);
 // Ends our own glBegin(GL_TRIANGLES), if open: the driver is outside Begin/End then, its state the program's.
 inline void close_mesh(Capture& c) {
-  if (!c.mesh_open) return;
-  c.mesh_open = false;
-  c.driver->End();
-  if (c.mesh_unlit) end_unlit(c);
+  if (c.mesh_open) {
+    c.mesh_open = false;
+    c.driver->End();
+    if (c.mesh_unlit) end_unlit(c);
+  }
+  if (c.calls_grew) end_batch(c);
 }
 
 }  // namespace truequad
