@@ -336,7 +336,8 @@ struct Functions {
     }
     if (is_unit_enable(name)) {
       if (g.active_unit >= g.units) g.error(GL_INVALID_OPERATION);
-      return g.unit_enabled[g.active_unit].contains(name);
+      const auto unit = g.unit_enabled.find(g.active_unit);
+      return unit != g.unit_enabled.end() && unit->second.contains(name);
     }
     return g.enabled.contains(name);
   }
