@@ -25,6 +25,7 @@ struct Scene {
 };
 const std::vector<Scene>& colour_scenes();
 const std::vector<Scene>& light_scenes();
+const std::vector<Scene>& random_light_scenes();
 const std::vector<Scene>& polygon_scenes();
 const std::vector<Scene>& texture_scenes();
 const std::vector<Scene>& query_scenes();

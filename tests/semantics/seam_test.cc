@@ -36,10 +36,9 @@ TEST_P(Seam, IsNotSeen) {
 }
 
 std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Feature, Seam, testing::Values("seam_colours"), name_of);
-INSTANTIATE_TEST_SUITE_P(Open, Seam,
-                         testing::Values("seam_normals", "seam_normalized", "seam_lamp", "seam_highlight",
-                                         "seam_saturated", "seam_two_sided"),
+INSTANTIATE_TEST_SUITE_P(Feature, Seam,
+                         testing::Values("seam_colours", "seam_normals", "seam_normalized", "seam_lamp",
+                                         "seam_highlight", "seam_saturated", "seam_two_sided"),
                          name_of);
 
 }  // namespace
