@@ -116,6 +116,8 @@ void read_view(const Driver& driver, const Caps& caps, FrameView& out) {
   out.view.clip_from_object = product(projection, out.modelview);
   out.view.viewport = {viewport[0], viewport[1], viewport[2], viewport[3]};
   out.view.snap_px = caps.snap_px;
+  // No query tells it; software rasterisers set up in single precision, hardware in no less.
+  out.view.setup_rounding = 0x1p-24;
 
   out.clamps_colours = clamps_colours(driver, caps);
   read_tests(driver, out);

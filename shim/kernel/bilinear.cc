@@ -21,10 +21,14 @@ constexpr double kMinInset = 0x1p-20;
 constexpr int kSmallestBlock = 12;
 // Triangles spent on a quad whose texture map folds: no number of them gives a bound there.
 constexpr int kFoldedTriangles = 512;
-constexpr int kMaxRounds = 12;
+constexpr int kMaxRounds = 24;
+// Triangles that are verified in all rounds together before the best mesh so far is taken.
+constexpr int kMostWork = 16384;
 // Lines and insets are made for a little less than what verification asks, or its rounding slack would refuse
 // them.
 constexpr double kMargin = 1 - 1e-6;
+// A cell whose exact error is below this part of the aim is not too large.
+constexpr double kFits = 1 + 1e-6;
 
 double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px) {
   double bound = 0;
@@ -88,10 +92,7 @@ double median(const Density& density) {
   return 0.5;
 }
 
-int block_triangles(int n, int m, const std::array<bool, 4>& flush) {
-  return 4 * n * m + (flush[0] ? 0 : n + 1) + (flush[1] ? 0 : m + 1) + (flush[2] ? 0 : n + 1) +
-         (flush[3] ? 0 : m + 1);
-}
+int block_triangles(int n, int m, const std::array<bool, 4>& flush) { return Block(n, m, flush).triangles(); }
 
 // Chooses numbers of cells and writes the lines for error_px. Returns the number of triangles, which may
 // exceed `cap`; then the lines are not valid.
@@ -131,21 +132,43 @@ int choose_lines(const Densities& densities, const Insets& inset, const std::arr
 struct Verdict {
   double block = 0, side[4] = {};
   double finite_block = 0;  // largest of those that are not infinite
+  // Of the cells beyond the limit, what exact arithmetic would make of them.
+  double exact_block = 0;
+  double side_exact[4] = {};  // the same of the worst triangle of each side
   double worst() const { return std::max({block, side[0], side[1], side[2], side[3]}); }
 };
 
-Verdict verify(const ErrorModel& model, const Plan& plan, double limit_px, int depth) {
+// The bound of a triangle that is beyond a limit, which triangle_bound() does not look into: to within a tenth.
+double bound_beyond(const ErrorModel& model, const std::array<MeshPoint, 3>& c, double from_px, double plain_px, int depth) {
+  for (double limit_px = from_px; limit_px < plain_px; limit_px *= 1.1) {
+    const double bound = triangle_bound(model, c[0], c[1], c[2], limit_px, depth);
+    if (bound <= limit_px) return bound;
+    if (bound == kInfinity) break;
+  }
+  return plain_px;
+}
+
+// exact: the same model without a rasteriser.
+Verdict verify(const ErrorModel& model, const ErrorModel& exact, const Plan& plan, double limit_px, int depth) {
   Verdict verdict;
   const Block block(plan);
+  const auto point = [&](Node node) {
+    const Param at = param(plan, block, node);
+    return mesh_point(model, at.u, at.v);
+  };
   std::array<MeshPoint, 2> left;
   for (int j = 0; j < block.m; ++j) {
-    const double v0 = plan.v.at[j], v1 = plan.v.at[j + 1];
-    left = {mesh_point(model, plan.u.at[0], v0), mesh_point(model, plan.u.at[0], v1)};
+    left = {point({0, j}), point({0, j + 1})};
     for (int i = 0; i < block.n; ++i) {
-      const std::array<MeshPoint, 2> right{mesh_point(model, plan.u.at[i + 1], v0),
-                                           mesh_point(model, plan.u.at[i + 1], v1)};
-      const double bound = cell_bound(model, {left[0], right[0], right[1], left[1]}, limit_px);
+      const std::array<MeshPoint, 2> right{point({i + 1, j}), point({i + 1, j + 1})};
+      const Param middle = centre(plan, i, j);
+      const MeshPoint top = mesh_point(model, middle.u, middle.v);
+      const double bound = cell_bound(model, {left[0], right[0], right[1], left[1]}, top, limit_px);
       verdict.block = std::max(verdict.block, bound);
+      if (bound > limit_px && !model.rasteriser.exact()) {
+        verdict.exact_block =
+            std::max(verdict.exact_block, cell_bound(exact, {left[0], right[0], right[1], left[1]}, top, limit_px));
+      }
       if (bound < kInfinity) verdict.finite_block = std::max(verdict.finite_block, bound);
       left = right;
     }
@@ -153,12 +176,16 @@ Verdict verify(const ErrorModel& model, const Plan& plan, double limit_px, int d
   for (int side = 0; side < 4; ++side) {
     if (block.flush[side]) continue;
     for_each_border_triangle(block, side, [&](Node a, Node b, Node c) {
-      const auto point = [&](Node node) {
-        const Param at = param(plan, block, node);
-        return mesh_point(model, at.u, at.v);
-      };
-      verdict.side[side] =
-          std::max(verdict.side[side], triangle_bound(model, point(a), point(b), point(c), limit_px, depth));
+      const MeshPoint p = point(a), q = point(b), r = point(c);
+      double bound = triangle_bound(model, p, q, r, limit_px, depth), of_map = bound;
+      if (!(bound > verdict.side[side])) return;
+      if (bound > limit_px) {
+        bound = bound_beyond(model, {p, q, r}, limit_px, bound, depth);
+        of_map = bound_beyond(exact, {p, q, r}, limit_px / 8, bound, depth);
+        if (!(bound > verdict.side[side])) return;
+      }
+      verdict.side[side] = bound;
+      verdict.side_exact[side] = of_map;
     });
   }
   return verdict;
@@ -189,14 +216,13 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
   shrink.fill(kMargin);
   const double middle_u = median(densities.u), middle_v = median(densities.v);
   bool found = false, at_cap = false;
-  const bool sides_flush[4] = {flush[0], flush[1], flush[2], flush[3]};
-  // In u or v, whichever the side runs along; sides CD and DA run backwards.
-  const auto apex_of = [&](int side) {
-    const double place = apex_place(sides_flush, side);
-    if (place == 0.5) return side % 2 == 0 ? middle_u : middle_v;
-    return side < 2 ? place : 1 - place;
-  };
-  for (int round = 0; round < kMaxRounds; ++round) {
+  int work = 0;
+  ErrorModel exact = model;
+  exact.rasteriser = {};
+  // The best mesh of those that do not keep the aim.
+  double best_px = kInfinity, best_lines_px = 0;
+  Insets best_inset{};
+  for (int round = 0; round < kMaxRounds && work < kMostWork; ++round) {
     Insets inset;
     for (int side = 0; side < 4; ++side) {
       const bool along_u = side % 2 == 0;
@@ -205,7 +231,7 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
               ? 0
               : std::max(shrink[side] * inset_for(along_u ? densities.u : densities.v,
                                                   along_u ? densities.v : densities.u, side == 0 || side == 3,
-                                                  apex_of(side), aim_px),
+                                                  along_u ? middle_u : middle_v, aim_px),
                          kMinInset);
     }
     const int triangles = choose_lines(densities, inset, flush, lines_px, cap, plan);
@@ -220,22 +246,47 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
     }
     found = true;
     plan.triangles = triangles;
-    const Verdict verdict = verify(model, plan, aim_px, kDepth);
+    work += triangles;
+    const Verdict verdict = verify(model, exact, plan, aim_px, kDepth);
     plan.bound_px = verdict.worst();
     if (plan.bound_px <= aim_px) break;
+    if (plan.bound_px < best_px || best_lines_px == 0) {
+      best_px = plan.bound_px;
+      best_lines_px = lines_px;
+      best_inset = inset;
+    }
     const double block = model.folded ? verdict.finite_block : verdict.block;
     bool changed = false;
     if (block > aim_px && !at_cap) {
-      lines_px *= std::clamp(0.99 * aim_px / block, 0.5, 0.98);
+      // Slivers, which occur where the quad's picture folds, are no matter of size: other lines have others.
+      const bool too_large = model.rasteriser.exact() || verdict.exact_block > kFits * aim_px;
+      lines_px *= too_large ? std::clamp(0.99 * aim_px / block, 0.5, 0.98) : std::clamp(0.998 * aim_px / block, 0.97, 0.998);
       changed = true;
     }
     for (int side = 0; side < 4; ++side) {
-      if (verdict.side[side] > aim_px && (!model.folded || verdict.side[side] < kInfinity)) {
-        shrink[side] *= std::clamp(0.98 * aim_px / verdict.side[side], 0.25, 0.95);
-        changed = true;
+      if (!(verdict.side[side] > aim_px) || (model.folded && verdict.side[side] == kInfinity)) continue;
+      // The map's part of the error grows with the inset, the rasteriser's falls with it.
+      const double map_px = verdict.side_exact[side], rest_px = verdict.side[side] - map_px;
+      const double goal_px = 0.99 * aim_px, root = goal_px * goal_px - 4 * map_px * rest_px;
+      double factor;
+      if (!(rest_px < kInfinity) || !(map_px < kInfinity) || rest_px < 0.01 * aim_px) {
+        factor = std::clamp(goal_px / verdict.side[side], 0.25, 0.95);
+      } else if (root >= 0) {
+        factor = std::clamp((goal_px + std::sqrt(root)) / (2 * map_px), 0.25, 4.0);
+      } else {
+        // Out of reach for this shape, if the inset is already about the best.
+        factor = std::clamp(std::sqrt(rest_px / map_px), 0.25, 4.0);
+        if (factor > 0.9 && factor < 1.1) continue;
       }
+      shrink[side] *= factor;
+      changed = true;
     }
     if (!changed) break;
+  }
+  if (plan.bound_px > best_px && best_lines_px > 0) {
+    plan.triangles = choose_lines(densities, best_inset, flush, best_lines_px, cap, plan);
+    plan.bound_px = best_px;
+    found = true;
   }
   return found;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 
 namespace truequad::kernel {
@@ -12,13 +14,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // For the rounding of this computation itself.
 constexpr double kRoundingSlack = 1 + 1e-9;
 
-// A bilinear function of the parameters: along_u u + along_v v + twist uv (its constant does not matter).
-struct Bilinear {
-  double along_u, along_v, twist;
-};
-
 Bilinear component(const Corners& x, double Vec4::*of) {
-  return {x[1].*of - x[0].*of, x[3].*of - x[0].*of, (x[0].*of - x[1].*of) + (x[2].*of - x[3].*of)};
+  return {x[0].*of, x[1].*of - x[0].*of, x[3].*of - x[0].*of, (x[0].*of - x[1].*of) + (x[2].*of - x[3].*of)};
 }
 
 bool varies(const Bilinear& f) { return f.along_u != 0 || f.along_v != 0 || f.twist != 0; }
@@ -33,6 +30,8 @@ TextureMap make_map(const ScreenQuad& quad, const Bilinear& s, const Bilinear& t
   map.x = n.x;
   map.y = n.y;
   map.w = n.w;
+  map.s = s;
+  map.t = t;
   return map;
 }
 
@@ -57,7 +56,9 @@ bool folds(const TextureMap& map) {
 TextureMap make_curve_map(const ScreenQuad& quad, const Bilinear& s) {
   const double gradient_u = s.along_u + s.twist / 2, gradient_v = s.along_v + s.twist / 2;
   const auto with_twist = [&](double twist) {
-    return make_map(quad, s, {-gradient_v - twist / 2, gradient_u - twist / 2, twist});
+    TextureMap map = make_map(quad, s, {0, -gradient_v - twist / 2, gradient_u - twist / 2, twist});
+    map.t_drawn = false;
+    return map;
   };
   const TextureMap plain = with_twist(0);
   const ScreenPoint middle = quad.at(0.5, 0.5);
@@ -89,16 +90,17 @@ void add_map(ErrorModel& model, const Bilinear& s, const Bilinear& t) {
   model.map[model.map_count++] = map;
 }
 
-// Part of a triangle: e, the interpolation error of uv, is known at its corners.
+// Part of a triangle: e, the interpolation error of uv, is known at its corners, and what set-up adds there.
 struct Corner {
   double u, v, e;
   ScreenPoint p;
+  double setup_px;
 };
 
 // Distance in pixels that `map` moves a texel which is drawn in the hull of `points`, when |e| <= error there
-// and the determinant is at least `jacobian` in size.
-double displacement(const TextureMap& map, double error, double jacobian,
-                    std::span<const ScreenPoint> points) {
+// and the determinant is at least `jacobian` in size, and w may be less by the factor `w_margin`.
+double displacement(const TextureMap& map, double error, double jacobian, std::span<const ScreenPoint> points,
+                    double w_margin = 1) {
   if (!(jacobian > 0)) return kInfinity;
   const double root = jacobian * jacobian - 4 * std::fabs(map.of_u * map.of_v) * error;
   if (!(root >= 0)) return kInfinity;
@@ -111,7 +113,7 @@ double displacement(const TextureMap& map, double error, double jacobian,
     const double x = map.x - p.x * ratio, y = map.y - p.y * ratio;
     largest = std::max(largest, x * x + y * y);
   }
-  const double w = least_w - std::fabs(map.w) * sigma;
+  const double w = least_w / w_margin - std::fabs(map.w) * sigma;
   if (!(w > 0)) return kInfinity;
   const double bound = sigma * std::sqrt(largest) / w * kRoundingSlack;
   return bound >= 0 ? bound : kInfinity;
@@ -128,10 +130,12 @@ double least_jacobian(const TextureMap& map, const std::array<AnyCorner, n>& cor
 
 struct Visible {
   VisiblePart part;
+  bool clipped = false;
   // False: nothing is visible.
   bool of(const ScreenQuad& quad, const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
     const unsigned at[3] = {quad.outcode(a), quad.outcode(b), quad.outcode(c)};
     if (at[0] & at[1] & at[2]) return false;
+    clipped = (at[0] | at[1] | at[2]) != 0;
     clip_triangle(quad, a, b, c, at[0] | at[1] | at[2], part);
     return part.count > 0;
   }
@@ -142,18 +146,33 @@ double largest_product(const std::array<Corner, 3>& c) {
   return std::max({product(c[0], c[1]), product(c[1], c[2]), product(c[2], c[0])});
 }
 
-// Bound over a part of a triangle whose own determinants (docs/design.md: det M) are `own`.
-double part_bound(const ErrorModel& model, const std::array<double, kMaxMaps>& own,
-                  const std::array<Corner, 3>& c, double limit_px, int depth) {
+// What holds for every part of one triangle.
+struct Whole {
+  std::array<double, kMaxMaps> own;  // its determinants (docs/design.md: det M)
+  SnapMargin margin;
+};
+
+// On the screen the middle of clip space divides the side as 1 / w at its ends does.
+double middle_setup(const Corner& p, const Corner& q) {
+  if (!(p.p.w > 0) || !(q.p.w > 0) || p.setup_px == q.setup_px) return std::max(p.setup_px, q.setup_px);
+  return (p.setup_px * p.p.w + q.setup_px * q.p.w) / (p.p.w + q.p.w);
+}
+
+double part_bound(const ErrorModel& model, const Whole& whole, const std::array<Corner, 3>& c, double limit_px,
+                  int depth) {
   Visible visible;
   if (!visible.of(model.screen, c[0].p, c[1].p, c[2].p)) return 0;
-  const double error =
-      std::max({std::fabs(c[0].e), std::fabs(c[1].e), std::fabs(c[2].e)}) + largest_product(c) / 4;
+  const SnapMargin& margin = whole.margin;
+  const double error = std::max({std::fabs(c[0].e), std::fabs(c[1].e), std::fabs(c[2].e)}) +
+                       largest_product(c) / 4 + margin.error;
   double bound = 0;
   for (std::size_t i = 0; i < model.map_count; ++i) {
-    const double jacobian = least_jacobian(model.map[i], c, own[i]);
-    bound = std::max(bound, displacement(model.map[i], error, jacobian, visible.part.points()));
+    const TextureMap& map = model.map[i];
+    const double jacobian = least_jacobian(map, c, whole.own[i]) - std::fabs(map.of_u) * margin.u -
+                            std::fabs(map.of_v) * margin.v;
+    bound = std::max(bound, displacement(map, error, jacobian, visible.part.points(), margin.w));
   }
+  bound += std::max({c[0].setup_px, c[1].setup_px, c[2].setup_px});
   if (bound <= limit_px || depth == 0) return bound;
 
   // Halve the longest side in the parameter square.
@@ -166,11 +185,59 @@ double part_bound(const ErrorModel& model, const std::array<double, kMaxMaps>& o
   }
   const Corner &p = c[longest], &q = c[(longest + 1) % 3], &far = c[(longest + 2) % 3];
   const Corner middle{(p.u + q.u) / 2, (p.v + q.v) / 2, (p.e + q.e) / 2 - (p.u - q.u) * (p.v - q.v) / 4,
-                      0.5 * (p.p + q.p)};
-  const double first = part_bound(model, own, {p, middle, far}, limit_px, depth - 1);
+                      0.5 * (p.p + q.p), middle_setup(p, q)};
+  const double first = part_bound(model, whole, {p, middle, far}, limit_px, depth - 1);
   if (first > limit_px) return bound;
-  const double second = part_bound(model, own, {middle, q, far}, limit_px, depth - 1);
+  const double second = part_bound(model, whole, {middle, q, far}, limit_px, depth - 1);
   return second > limit_px ? bound : std::max(first, second);
+}
+
+// What the rounding of set-up adds at the corners of a triangle; where it is clipped, the largest at all of them.
+// texture: s, t and q at the corners.
+std::array<double, 3> setup_at(const Rasteriser& rasteriser, const std::array<ScreenPoint, 3>& c,
+                               const std::array<glm::dvec3, 3>& texture, bool t_drawn, const VisiblePart& part,
+                               bool clipped) {
+  const auto vertex_at = [](const ScreenPoint& p, const glm::dvec3& t) {
+    const double w = 1 / p.w;
+    return SetupVertex{p.x * w, p.y * w, t.x * w, t.y * w, t.z * w};
+  };
+  if (!clipped) {
+    return setup_px(rasteriser, {vertex_at(c[0], texture[0]), vertex_at(c[1], texture[1]), vertex_at(c[2], texture[2])},
+                    t_drawn);
+  }
+  const BarycentricWeights weights({c[0], c[1], c[2]});
+  std::array<SetupVertex, 9> vertex;
+  for (int k = 0; k < part.count; ++k) {
+    const glm::dvec3 b = weights.at(part.point[k]);
+    vertex[k] = vertex_at(part.point[k], b[0] * texture[0] + b[1] * texture[1] + b[2] * texture[2]);
+  }
+  // The largest of the triangles that clipping can make of it.
+  double largest = -1;
+  std::array<SetupVertex, 3> best{};
+  for (int i = 0; i < part.count; ++i) {
+    for (int j = i + 1; j < part.count; ++j) {
+      for (int k = j + 1; k < part.count; ++k) {
+        const SetupVertex &p = vertex[i], &q = vertex[j], &r = vertex[k];
+        const double area = std::fabs((q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y));
+        if (area > largest) largest = area, best = {p, q, r};
+      }
+    }
+  }
+  if (largest < 0) return {};
+  const auto px = setup_px(rasteriser, best, t_drawn);
+  const double most = std::max({px[0], px[1], px[2]});
+  return {most, most, most};
+}
+
+// Two of the corners are one point of the screen, to the rounding of this computation: nothing is drawn.
+bool draws_nothing(const ScreenQuad& quad, const std::array<ScreenPoint, 3>& c) {
+  const double reach = std::max(quad.half_width, quad.half_height);
+  for (int i = 0; i < 3; ++i) {
+    const ScreenPoint &p = c[i], &q = c[(i + 1) % 3];
+    const double size = 1e-12 * reach * std::fabs(p.w * q.w);
+    if (std::fabs(p.x * q.w - q.x * p.w) <= size && std::fabs(p.y * q.w - q.y * p.w) <= size) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -207,14 +274,61 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
   // Gradient (L_u, L_v) of the linear interpolant of uv.
   const double f1 = b.u * b.v - a.u * a.v, f2 = c.u * c.v - a.u * a.v;
   const double gradient_u = (f1 * v2 - f2 * v1) / area, gradient_v = (u1 * f2 - u2 * f1) / area;
-  std::array<double, kMaxMaps> own;
-  for (std::size_t i = 0; i < model.map_count; ++i) own[i] = model.map[i].jacobian(gradient_v, gradient_u);
-  return part_bound(model, own,
-                    {Corner{a.u, a.v, 0, a.p}, Corner{b.u, b.v, 0, b.p}, Corner{c.u, c.v, 0, c.p}}, limit_px,
-                    depth);
+  Whole whole;
+  for (std::size_t i = 0; i < model.map_count; ++i)
+    whole.own[i] = model.map[i].jacobian(gradient_v, gradient_u);
+  std::array<double, 3> setup{};
+  Visible visible;
+  const bool exact = model.rasteriser.exact();
+  if (!exact) {
+    const std::array<ScreenPoint, 3> p{a.p, b.p, c.p};
+    if (!visible.of(model.screen, a.p, b.p, c.p) || draws_nothing(model.screen, p)) return 0;
+    whole.margin = snap_margin(model.rasteriser, {a, b, c}, gradient_u, gradient_v, visible.part.points());
+    for (const TextureMap& map : model.maps()) {
+      const auto texture = [&](const MeshPoint& at) { return glm::dvec3(map.s.at(at.u, at.v), map.t.at(at.u, at.v), 1); };
+      const auto px = setup_at(model.rasteriser, p, {texture(a), texture(b), texture(c)}, map.t_drawn, visible.part,
+                               visible.clipped);
+      for (int i = 0; i < 3; ++i) setup[i] = std::max(setup[i], px[i]);
+    }
+  }
+  const std::array<Corner, 3> corner{Corner{a.u, a.v, 0, a.p, setup[0]}, Corner{b.u, b.v, 0, b.p, setup[1]},
+                                     Corner{c.u, c.v, 0, c.p, setup[2]}};
+  const double bound = part_bound(model, whole, corner, limit_px, depth);
+  if (bound > limit_px && !exact && misses_pixels(model.rasteriser, visible.part.points())) return 0;
+  return bound;
 }
 
-double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, double limit_px) {
+double projected_px(const ErrorModel& model, const Corners& texture, const std::array<double, 4>& lambda, double limit_px) {
+  if (model.rasteriser.exact()) return 0;
+  const auto coordinates = [&](double Vec4::*s, double Vec4::*t, int i) {
+    return lambda[i] * glm::dvec3(texture[i].*s, texture[i].*t, texture[i].w);
+  };
+  const auto varies = [&](double Vec4::*of) {
+    return std::any_of(texture.begin(), texture.end(), [&](const Vec4& t) { return t.*of != texture[0].*of; });
+  };
+  constexpr std::array<std::array<double Vec4::*, 2>, 3> kPairs{
+      {{&Vec4::x, &Vec4::y}, {&Vec4::y, &Vec4::z}, {&Vec4::x, &Vec4::z}}};
+  double bound = 0;
+  for (int i = 0; i < 4; ++i) {
+    const int a = i / 2, b = a + 1 + i % 2, c = (a + 2 + i % 2) % 4;
+    const std::array<ScreenPoint, 3> p{model.screen.corner[a], model.screen.corner[b], model.screen.corner[c]};
+    Visible visible;
+    if (!visible.of(model.screen, p[0], p[1], p[2]) || draws_nothing(model.screen, p)) continue;
+    double worst = 0;
+    for (const auto& [s, t] : kPairs) {
+      if (!varies(s) || !varies(t)) continue;
+      const auto px = setup_at(model.rasteriser, p, {coordinates(s, t, a), coordinates(s, t, b), coordinates(s, t, c)},
+                               true, visible.part, visible.clipped);
+      worst = std::max({worst, px[0], px[1], px[2]});
+    }
+    if (worst > limit_px && misses_pixels(model.rasteriser, visible.part.points())) continue;
+    bound = std::max(bound, worst);
+  }
+  return bound;
+}
+
+double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, const MeshPoint& centre,
+                  double limit_px) {
   unsigned all = ~0u, any = 0;
   for (const MeshPoint& c : corner) {
     const unsigned at = model.screen.outcode(c.p);
@@ -222,8 +336,10 @@ double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corne
     any |= at;
   }
   if (all) return 0;
+  const bool rectangle = corner[0].u == corner[3].u && corner[1].u == corner[2].u && corner[0].v == corner[1].v &&
+                         corner[2].v == corner[3].v;
   const double error = (corner[1].u - corner[0].u) * (corner[3].v - corner[0].v) / 16;
-  if (!any) {
+  if (!any && rectangle && model.rasteriser.exact()) {
     // The four triangles together: their own determinants are those of edge midpoints, within the corners'
     // range.
     const ScreenPoint points[4] = {corner[0].p, corner[1].p, corner[2].p, corner[3].p};
@@ -234,8 +350,6 @@ double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corne
     }
     if (bound <= limit_px) return bound;
   }
-  const MeshPoint centre{(corner[0].u + corner[1].u) / 2, (corner[0].v + corner[3].v) / 2,
-                         0.25 * (corner[0].p + corner[1].p + corner[2].p + corner[3].p)};
   double bound = 0;
   for (int i = 0; i < 4; ++i) {
     bound = std::max(bound, triangle_bound(model, corner[i], corner[(i + 1) % 4], centre, limit_px, 2));

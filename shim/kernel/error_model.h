@@ -6,10 +6,18 @@
 #include <cstddef>
 #include <span>
 
+#include "rasteriser.h"
 #include "screen.h"
 #include "truequad/kernel.h"
 
 namespace truequad::kernel {
+
+// A bilinear function of the parameters: constant + along_u u + along_v v + twist uv.
+struct Bilinear {
+  double constant, along_u, along_v, twist;
+
+  double at(double u, double v) const { return constant + along_u * u + along_v * v + twist * (u * v); }
+};
 
 // What two texture coordinates of one set add to the error.
 struct TextureMap {
@@ -17,6 +25,9 @@ struct TextureMap {
   double constant, of_u, of_v;
   // Clip-space displacement per unit of the interpolation error and of 1 / determinant.
   double x, y, w;
+  // The coordinates. False: t is an auxiliary function that nobody draws.
+  Bilinear s, t;
+  bool t_drawn = true;
 
   double jacobian(double u, double v) const { return constant + of_u * u + of_v * v; }
 };
@@ -26,6 +37,7 @@ inline constexpr std::size_t kMaxMaps = 3 * kMaxTextureSets;
 
 struct ErrorModel {
   ScreenQuad screen;
+  Rasteriser rasteriser;
   std::array<TextureMap, kMaxMaps> map;
   std::size_t map_count = 0;
   // The determinant of some map changes sign or vanishes in the unit square: there it has no inverse.
@@ -39,21 +51,23 @@ struct ErrorModel {
 // drawn.
 bool add_texture_maps(const Corners& position, std::span<const Corners> textures, ErrorModel& model);
 
-// A corner of a mesh triangle: parameters and the clip-space point drawn there.
-struct MeshPoint {
-  double u, v;
-  ScreenPoint p;
-};
 MeshPoint mesh_point(const ErrorModel& model, double u, double v);
 
 // Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact
-// place; 0 if nothing of it is inside. Infinite if no bound is known. If the plain bound exceeds `limit_px`,
-// up to `depth` halvings of the triangle look for a tighter one that does not; the result is then below or at
-// the limit, or the plain bound.
+// place, what the rasteriser adds included but for the allowance of snapping itself; 0 if nothing of it is inside. Infinite if no bound
+// is known. If the plain bound exceeds `limit_px`, up to `depth` halvings of the triangle look for a tighter one
+// that does not; the result is then below or at the limit, or the plain bound.
 double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c,
                       double limit_px, int depth);
 
-// The same for the centre fan over a cell; corners in the order (u0,v0) (u1,v0) (u1,v1) (u0,v1).
-double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, double limit_px);
+// The same for the two halves of the quad, along either diagonal, drawn with texture coordinates that `lambda`
+// multiplies to an exact map: what the rasteriser alone adds.
+double projected_px(const ErrorModel& model, const Corners& texture, const std::array<double, 4>& lambda,
+                    double limit_px);
+
+// The same as triangle_bound() for the centre fan over a cell; corners in the order (u0,v0) (u1,v0) (u1,v1) (u0,v1), or
+// moved from there.
+double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, const MeshPoint& centre,
+                  double limit_px);
 
 }  // namespace truequad::kernel

@@ -2,15 +2,25 @@
 // "Mesh").
 #pragma once
 
+#include <algorithm>
+
 #include "truequad/kernel.h"
 
 namespace truequad::kernel {
 
-// A vertex of the block and its surroundings: i, j number the grid lines; outside of [0, cells] it is the
-// quad's corner on that side.
+// A vertex of the block: i, j number the grid lines; outside of [0, cells] it is the quad's corner on that side.
 struct Node {
   int i, j;
 };
+
+// Vertices of a side's inner edge, numbered along it, without those that are the quad's own corners.
+struct Chain {
+  int first, last;
+  int count() const { return last - first + 1; }
+};
+
+// Vertex of the chain whose triangle stands on the edge between those before `first` and after `last`.
+inline int apex(int first, int last) { return first + (last - first) / 2; }
 
 // The block of a plan in numbers of cells, and the sides on which it reaches the quad's own edge: AB, BC, CD,
 // DA.
@@ -18,57 +28,99 @@ struct Block {
   int n, m;
   bool flush[4];
 
+  Block(int n, int m, const std::array<bool, 4>& flush)
+      : n(n), m(m), flush{flush[0], flush[1], flush[2], flush[3]} {}
   explicit Block(const Plan& plan)
-      : n(int(plan.u.count) - 1),
-        m(int(plan.v.count) - 1),
-        flush{plan.v.at[0] == 0, plan.u.at[n] == 1, plan.v.at[m] == 1, plan.u.at[0] == 0} {}
+      : Block(int(plan.u.count) - 1, int(plan.v.count) - 1,
+              {plan.v.at[0] == 0, plan.u.at[plan.u.count - 1] == 1, plan.v.at[plan.v.count - 1] == 1,
+               plan.u.at[0] == 0}) {}
 
+  // A block that reaches one of the sides at a corner has that corner for its own.
+  bool has_corner(int corner) const { return flush[corner] || flush[(corner + 3) % 4]; }
   int side_cells(int side) const { return side % 2 == 0 ? n : m; }
+  Chain chain(int side) const {
+    return {has_corner(side) ? 1 : 0, side_cells(side) - (has_corner((side + 1) % 4) ? 1 : 0)};
+  }
   int triangles() const {
     int count = 4 * n * m;
-    for (int side = 0; side < 4; ++side) count += flush[side] ? 0 : side_cells(side) + 1;
+    for (int side = 0; side < 4; ++side) count += flush[side] ? 0 : chain(side).count();
     return count;
   }
 };
 
+// The vertex of a side's inner edge with this number.
+inline Node inner_node(const Block& block, int side, int t) {
+  switch (side) {
+    case 0:
+      return {t, 0};
+    case 1:
+      return {block.n, t};
+    case 2:
+      return {block.n - t, block.m};
+    default:
+      return {0, block.m - t};
+  }
+}
+
+// How far beyond the inset a vertex of the inner edge lies, so that each stands off the edge between its
+// ancestors: one inset more for each level of the tree of triangles, and never more than `room`.
+inline double extra_inset(const Chain& chain, int t, double inset, double room) {
+  int levels = 0;
+  for (int first = chain.first, last = chain.last; first <= last; ++levels) {
+    const int middle = apex(first, last);
+    if (middle == t) break;
+    (t < middle ? last : first) = t < middle ? middle - 1 : middle + 1;
+  }
+  const double wanted = levels * inset;
+  return wanted / (1 + wanted / room);
+}
+
 inline Param param(const Plan& plan, const Block& block, Node node) {
-  const auto at = [](const GridLines& lines, int i, int cells) {
-    return i < 0 ? 0.0 : i > cells ? 1.0 : lines.at[std::size_t(i)];
+  const auto [i, j] = node;
+  const int n = block.n, m = block.m;
+  const bool left = i <= 0, right = i >= n, low = j <= 0, high = j >= m;
+  const bool outside = i < 0 || i > n || j < 0 || j > m;
+  if (outside || ((left || right) && (low || high))) {
+    const int corner = low ? (left ? 0 : 1) : (left ? 3 : 2);
+    // With one cell a node is at two corners' places; only the one that is meant counts.
+    if (outside || block.has_corner(corner)) return {left ? 0.0 : 1.0, low ? 0.0 : 1.0};
+  }
+  double u = plan.u.at[std::size_t(i)], v = plan.v.at[std::size_t(j)];
+  constexpr double kRoom = 1.0 / 3;  // of the cell at the border
+  const auto extra = [&](int side, int t, const GridLines& lines, bool at_start) {
+    const double inset = at_start ? lines.at[0] : 1 - lines.at[lines.count - 1];
+    const double cell = at_start ? lines.at[1] - lines.at[0] : lines.at[lines.count - 1] - lines.at[lines.count - 2];
+    return extra_inset(block.chain(side), t, inset, kRoom * cell);
   };
-  return {at(plan.u, node.i, block.n), at(plan.v, node.j, block.m)};
+  double du = 0, dv = 0;
+  if (low && !block.flush[0]) dv = extra(0, i, plan.v, true);
+  if (high && !block.flush[2]) dv = -extra(2, n - i, plan.v, false);
+  if (left && !block.flush[3]) du = extra(3, m - j, plan.u, true);
+  if (right && !block.flush[1]) du = -extra(1, j, plan.u, false);
+  return {u + du, v + dv};
 }
 
-// Where along a side's inner edge the outer edge's triangle has its apex, from 0 at the side's start to 1 at its end: in the
-// middle, but at the end where the quad has no width. There all nodes lie on one line with that end's corner, and a fan
-// from it would have no area: what a rasteriser makes of its rounded vertices is arbitrary.
-inline double apex_place(const bool (&flush)[4], int side) {
-  const bool at_start = flush[(side + 3) % 4], at_end = flush[(side + 1) % 4];
-  return at_start == at_end ? 0.5 : at_end ? 1 : 0;
+// The centre of a cell's fan: in the middle of the lines, so that it is no farther from vertices that were moved inwards.
+inline Param centre(const Plan& plan, int i, int j) {
+  return {(plan.u.at[std::size_t(i)] + plan.u.at[std::size_t(i) + 1]) / 2,
+          (plan.v.at[std::size_t(j)] + plan.v.at[std::size_t(j) + 1]) / 2};
 }
 
-// Calls f(Node, Node, Node) for each triangle between one side of the quad and the block: the outer edge with
-// its apex on the inner one, and on both parts of the inner edge a fan from the corner.
+// Calls f(Node, Node, Node) for each triangle between one side of the quad and the block: a binary tree of them, the
+// outer edge at its root, so that each stands on a base that is half as long as the last.
 template <typename F>
 void for_each_border_triangle(const Block& block, int side, F&& f) {
-  const int n = block.n, m = block.m;
-  const Node corner[4] = {{-1, -1}, {n + 1, -1}, {n + 1, m + 1}, {-1, m + 1}};
-  const int cells = block.side_cells(side);
-  const auto inner = [&](int t) {
-    switch (side) {
-      case 0:
-        return Node{t, 0};
-      case 1:
-        return Node{n, t};
-      case 2:
-        return Node{n - t, m};
-      default:
-        return Node{0, m - t};
-    }
+  const Node corner[4] = {{-1, -1}, {block.n + 1, -1}, {block.n + 1, block.m + 1}, {-1, block.m + 1}};
+  const auto stand = [&](auto&& self, Node p, Node q, int first, int last) -> void {
+    if (first > last) return;
+    const int t = apex(first, last);
+    const Node top = inner_node(block, side, t);
+    f(p, q, top);
+    self(self, p, top, first, t - 1);
+    self(self, top, q, t + 1, last);
   };
-  const Node p = corner[side], q = corner[(side + 1) % 4];
-  const int apex = int(cells * apex_place(block.flush, side));
-  f(p, q, inner(apex));
-  for (int t = 0; t < cells; ++t) f(t < apex ? p : q, inner(t + 1), inner(t));
+  const Chain chain = block.chain(side);
+  stand(stand, corner[side], corner[(side + 1) % 4], chain.first, chain.last);
 }
 
 }  // namespace truequad::kernel

@@ -78,11 +78,12 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
   ErrorModel model;
   if (!kernel::make_screen_quad(position, view, model.screen)) return pass(out, PassReason::kNotFinite);
   if (model.screen.invisible()) return pass(out, PassReason::kInvisible);
+  model.rasteriser = kernel::make_rasteriser(view);
   const Budget budget = kernel::make_budget(limits, view);
 
   if (mode == Mode::kProjective || mode == Mode::kAuto) {
     double spread;
-    if (kernel::plan_projective(position, textures, budget, out, spread) &&
+    if (kernel::plan_projective(position, textures, model, budget, out, spread) &&
         (mode == Mode::kProjective || spread <= kAutoSpread)) {
       return;
     }

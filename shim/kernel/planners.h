@@ -32,9 +32,9 @@ double leaves_bound(const ErrorModel& model, const Plan& plan);
 void plan_paper(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
                 const Budget& budget, Plan& plan);
 
-// Fills plan.lambda; false if some set has no valid projective map. `spread`: the largest ratio of two
-// factors of a set.
-bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget,
-                     Plan& plan, double& spread);
+// Fills plan.lambda; false if some set has no valid projective map, or a rasteriser would not keep the tolerance.
+// model: screen and rasteriser. `spread`: the largest ratio of two factors of a set.
+bool plan_projective(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
+                     const Budget& budget, Plan& plan, double& spread);
 
 }  // namespace truequad::kernel

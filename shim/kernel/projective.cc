@@ -73,11 +73,12 @@ bool convex(const Corners& corners, const Weights& weights) {
 
 }  // namespace
 
-bool plan_projective(const Corners& position, std::span<const Corners> textures, const Budget& budget,
-                     Plan& plan, double& spread) {
+bool plan_projective(const Corners& position, std::span<const Corners> textures, const ErrorModel& model,
+                     const Budget& budget, Plan& plan, double& spread) {
   Weights p;
   if (!solve(position, p) || !convex(position, p)) return false;
   spread = 1;
+  double bound_px = 0;
   for (std::size_t set = 0; set < std::min(textures.size(), kMaxTextureSets); ++set) {
     std::array<double, 4>& lambda = plan.lambda[set];
     if (classify(position, textures.subspan(set, 1)) != Shape::kWarped) {
@@ -91,10 +92,12 @@ bool plan_projective(const Corners& position, std::span<const Corners> textures,
     const double high = *std::max_element(lambda.begin(), lambda.end());
     if (!(low > 0) || !(high <= kMaxSpread * low)) return false;
     spread = std::max(spread, high / low);
+    bound_px = std::max(bound_px, projected_px(model, textures[set], lambda, budget.mesh_px));
   }
+  if (bound_px > budget.mesh_px) return false;
   plan.action = Action::kProject;
   plan.triangles = 2;
-  plan.bound_px = budget.snap_px;
+  plan.bound_px = bound_px + budget.snap_px;
   plan.capped = false;
   return true;
 }

@@ -3,6 +3,7 @@
 #include "screen.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace truequad::kernel {
 namespace {
@@ -45,6 +46,21 @@ bool ScreenQuad::collapsed_edge(int i) const {
   if (!(p.w > 0) || !(q.w > 0)) return false;
   const double dx = p.x / p.w - q.x / q.w, dy = p.y / p.w - q.y / q.w;
   return dx * dx + dy * dy <= kCollapsedPx * kCollapsedPx;
+}
+
+BarycentricWeights::BarycentricWeights(const std::array<ScreenPoint, 3>& corner) {
+  const auto point = [&](int i) { return glm::dvec3(corner[i].x, corner[i].y, corner[i].w); };
+  const glm::dvec3 a = point(0), b = point(1), c = point(2);
+  row_[0] = glm::cross(b, c);
+  row_[1] = glm::cross(c, a);
+  row_[2] = glm::cross(a, b);
+  const double det = glm::dot(a, row_[0]);
+  for (glm::dvec3& row : row_) row /= det;
+}
+
+glm::dvec3 BarycentricWeights::at(const ScreenPoint& p) const {
+  const glm::dvec3 point(p.x, p.y, p.w);
+  return {glm::dot(row_[0], point), glm::dot(row_[1], point), glm::dot(row_[2], point)};
 }
 
 bool make_screen_quad(const Corners& position, const View& view, ScreenQuad& quad) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 
@@ -31,6 +32,25 @@ struct ScreenQuad {
   // True if the ends of the edge from corner i to the next are so near on the screen that nothing along it
   // can be told apart.
   bool collapsed_edge(int i) const;
+};
+
+// A corner of a mesh triangle: parameters and the clip-space point drawn there.
+struct MeshPoint {
+  double u, v;
+  ScreenPoint p;
+};
+
+// Weights of a triangle's corners, which sum to 1, at any homogeneous point of its plane.
+class BarycentricWeights {
+ public:
+  explicit BarycentricWeights(const std::array<ScreenPoint, 3>& corner);
+  glm::dvec3 at(const ScreenPoint& p) const;
+  // How they change over a step of (x, y) pixels at unit w; the sum changes too.
+  glm::dvec3 step(double x, double y) const { return {step_of(0, x, y), step_of(1, x, y), step_of(2, x, y)}; }
+
+ private:
+  double step_of(int i, double x, double y) const { return row_[i].x * x + row_[i].y * y; }
+  glm::dvec3 row_[3];  // of the inverse of the corners' matrix
 };
 
 // The view of a quad. Returns false if a coordinate of it is not finite.

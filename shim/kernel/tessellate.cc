@@ -15,11 +15,7 @@ using kernel::Node;
 class Numbering {
  public:
   explicit Numbering(const Block& block) : block_(block) {
-    const bool* flush = block.flush;
-    shared_[0] = flush[0] && flush[3];
-    shared_[1] = flush[0] && flush[1];
-    shared_[2] = flush[2] && flush[1];
-    shared_[3] = flush[2] && flush[3];
+    for (int corner = 0; corner < 4; ++corner) shared_[corner] = block.has_corner(corner);
   }
   std::uint16_t node(Node node) const {
     const auto [i, j] = node;
@@ -70,9 +66,9 @@ void write_block(const Plan& plan, std::span<Param> vertices, std::span<Triangle
   }
   for (int j = 0; j < block.m; ++j) {
     for (int i = 0; i < block.n; ++i) {
-      vertices[centre] = {(plan.u.at[i] + plan.u.at[i + 1]) / 2, (plan.v.at[j] + plan.v.at[j + 1]) / 2};
       const std::uint16_t ring[4] = {number.node({i, j}), number.node({i + 1, j}),
                                      number.node({i + 1, j + 1}), number.node({i, j + 1})};
+      vertices[centre] = kernel::centre(plan, i, j);
       for (int k = 0; k < 4; ++k) triangles[triangle++] = {ring[k], ring[(k + 1) % 4], std::uint16_t(centre)};
       ++centre;
     }

@@ -48,8 +48,9 @@ double displacement_px(const DrawnQuad& quad, bool projective, double x, double 
   if (projective) map.emplace(quad.position, quad.texture, quad.view);
   constexpr double kHalf = kCoordinateStep / 2;
   const auto distance = [&](double s, double t) {
-    // Texels beyond the border by less than the step are still the border's.
-    constexpr double kBeyond = 1e-3;
+    // Snapped edges let pixels lie outside of the quad by less than the rasteriser's grid, which may be much of
+    // the quad where it is narrow: what they show has its place on the map continued.
+    constexpr double kBeyond = 1;
     return double(map ? map->displacement(centre, s, t)
                       : reference::bilinear_displacement(quad.position, quad.texture, quad.view, centre, s, t,
                                                          kBeyond));
@@ -73,22 +74,6 @@ double displacement_px(const DrawnQuad& quad, bool projective, double x, double 
   for (int place = 0; place < 9 && nearest > kFarBelowTolerances_px; ++place) {
     const double s = texel.s + (place / 3 - 1) * kHalf, t = texel.t + (place % 3 - 1) * kHalf;
     nearest = std::min(nearest, distance(s, t));
-  }
-  return nearest;
-}
-
-// Distance in pixels from a window point on the quad to the place with the same u or v on an edge, the
-// nearest of the four.
-double distance_to_edge_px(const DrawnQuad& quad, double x, double y) {
-  constexpr double kBeyond = 0.05;
-  const auto seen = reference::bilinear_at(quad.position, quad.texture, quad.view, {x, y}, kBeyond);
-  if (!seen) return 0;
-  const auto clip = reference::clip_corners(quad.position, quad.view);
-  double nearest = kInfinity;
-  for (const auto& [u, v] : {reference::Solution{0, seen->v}, {1, seen->v}, {seen->u, 0}, {seen->u, 1}}) {
-    if (const auto at = reference::window_point(clip, quad.view, u, v)) {
-      nearest = std::min(nearest, double(std::hypot(at->x - x, at->y - y)));
-    }
   }
   return nearest;
 }
@@ -125,10 +110,7 @@ Measurement measure(const Job& job, const Pictures& pictures, const Settings& se
         const double found_px = displacement_px(*seen, promise.projective, x + 0.5, y + 0.5, *texel);
         const double ratio = found_px / (promise.capped ? promise.bound_px : settings.tolerance_px);
         result.largest_px = std::max(result.largest_px, found_px);
-        if (ratio > 1) {
-          const bool border = distance_to_edge_px(*seen, x + 0.5, y + 0.5) < kBorder_px;
-          ++(border ? result.border_strays : result.inner_strays);
-        }
+        result.strays += ratio > 1;
         if (ratio > result.worst_ratio) {
           result.worst_ratio = ratio;
           result.worst_seed = seed;

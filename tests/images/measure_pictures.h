@@ -16,19 +16,13 @@ struct Promise {
 };
 Promise promise_of(const DrawnQuad& quad, const Settings& settings);
 
-// A pixel nearer than this to an edge of its quad belongs to the border. There the mesh has triangles whose
-// height may be less than the grid to which the rasteriser snaps vertices, since outer edges carry none; then
-// a single pixel may get its values from a triangle that, snapped, is quite another one.
-inline constexpr double kBorder_px = 1;
-
 struct Measurement {
   long quads = 0, corrected = 0, capped = 0, unmeasured = 0;
   long pixels = 0;         // of quads with a promise
   double largest_px = 0;   // how far texels are from their exact place
   double worst_ratio = 0;  // the largest displacement in relation to the quad's own limit
   unsigned worst_seed = 0;
-  // Beyond the limit: in the border, where single pixels are lost, and inside, where none may be.
-  long border_strays = 0, inner_strays = 0;
+  long strays = 0;         // pixels beyond the limit of their quad
 };
 Measurement measure(const Job& job, const Pictures& pictures, const Settings& settings);
 

@@ -328,6 +328,7 @@ std::vector<DrawnQuad> quads_of(const Scene& scene, double snap_px) {
   const auto& [x, y, width, height] = scene.viewport;
   view.viewport = {double(x), double(y), double(width), double(height)};
   view.snap_px = snap_px;
+  view.setup_rounding = 0x1p-24;
 
   std::vector<DrawnQuad> quads;
   for (const Primitive& primitive : scene.primitives) {

@@ -1,0 +1,184 @@
+// Snapping and set-up rounding: docs/design.md "Rasterisers".
+#include "rasteriser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace truequad::kernel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Roundings that count for one product of set-up. Of the three to four that enter, each at most one unit, millions
+// of random triangles show no more than 0.9 units together (rasteriser_test).
+constexpr double kSetupUnits = 0.75;
+// The same for the evaluation of one plane a + b x + c y at a pixel.
+constexpr double kEvaluationUnits = 2;
+// Roundings of a window coordinate on its way from the vertex.
+constexpr double kPositionUnits = 4;
+// Rows of pixels of a triangle that is looked at one by one.
+constexpr double kMostRows = 4096;
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+Rasteriser make_rasteriser(const View& view) {
+  const auto part = [](double value, double most) { return value > 0 ? std::min(value, most) : 0.0; };
+  return {part(view.snap_px, 1),
+          part(view.setup_rounding, 0x1p-8),
+          view.viewport.x + view.viewport.width / 2,
+          view.viewport.y + view.viewport.height / 2,
+          std::fabs(view.viewport.x) + view.viewport.width, std::fabs(view.viewport.y) + view.viewport.height};
+}
+
+double Rasteriser::step_px() const {
+  return snap_px / 2 + kPositionUnits * rounding * std::max(reach_x_px, reach_y_px);
+}
+
+SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
+                       double gradient_v, std::span<const ScreenPoint> visible) {
+  SnapMargin margin;
+  if (rasteriser.exact()) return margin;
+  const double step = rasteriser.step_px();
+  const BarycentricWeights weights({triangle[0].p, triangle[1].p, triangle[2].p});
+  struct At {
+    double error_u, error_v;  // gradient of the interpolation error
+    double du[2], dv[2];      // steps for both diagonals of the grid's square, but for the factor of w
+  };
+  std::array<At, 9> at;
+  const std::size_t count = std::min(visible.size(), at.size());
+  double ratio = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const glm::dvec3 b = weights.at(visible[k]);
+    const double u = b[0] * triangle[0].u + b[1] * triangle[1].u + b[2] * triangle[2].u;
+    const double v = b[0] * triangle[0].v + b[1] * triangle[1].v + b[2] * triangle[2].v;
+    at[k] = {v - gradient_u, u - gradient_v, {}, {}};
+    for (int diagonal = 0; diagonal < 2; ++diagonal) {
+      const glm::dvec3 n = visible[k].w * weights.step(step, diagonal ? -step : step);
+      for (int i = 0; i < 3; ++i) {
+        at[k].du[diagonal] += n[i] * (triangle[i].u - u);
+        at[k].dv[diagonal] += n[i] * (triangle[i].v - v);
+      }
+      const double sum = n[0] + n[1] + n[2];
+      ratio = std::max(ratio, std::fabs(sum));
+    }
+  }
+  if (!(ratio < 1)) return {kInfinity, kInfinity, kInfinity, kInfinity};
+  margin.w = 1 + ratio;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (int diagonal = 0; diagonal < 2; ++diagonal) {
+      const double du = at[k].du[diagonal] / (1 - ratio), dv = at[k].dv[diagonal] / (1 - ratio);
+      margin.u = std::max(margin.u, std::fabs(du));
+      margin.v = std::max(margin.v, std::fabs(dv));
+      for (std::size_t j = 0; j < count; ++j) {
+        const double grown = std::fabs(at[j].error_u * du + at[j].error_v * dv) + std::fabs(du * dv);
+        if (!(grown <= margin.error)) margin.error = grown;
+      }
+    }
+  }
+  return margin;
+}
+
+bool misses_pixels(const Rasteriser& rasteriser, std::span<const ScreenPoint> polygon) {
+  // The vertices, so that centres of pixels are whole numbers.
+  std::array<glm::dvec2, 9> at;
+  const std::size_t count = std::min(polygon.size(), at.size());
+  double low = kInfinity, high = -kInfinity;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ScreenPoint& p = polygon[i];
+    if (!(p.w > 0)) return false;
+    at[i] = {p.x / p.w + rasteriser.centre_x_px - 0.5, p.y / p.w + rasteriser.centre_y_px - 0.5};
+    low = std::min(low, at[i].y);
+    high = std::max(high, at[i].y);
+  }
+  const double step = rasteriser.step_px();
+  if (!(high - low < kMostRows)) return false;
+  for (double row = std::ceil(low - step); row <= high + step; ++row) {
+    // The polygon between row - step and row + step.
+    double left = kInfinity, right = -kInfinity;
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::dvec2 p = at[i], q = at[(i + 1) % count];
+      if (p.y > q.y) std::swap(p, q);
+      if (q.y < row - step || p.y > row + step) continue;
+      const auto x_at = [&](double y) { return p.y < q.y ? p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y)) : p.x; };
+      const double first = p.y < row - step ? x_at(row - step) : p.x;
+      const double second = q.y > row + step ? x_at(row + step) : q.x;
+      left = std::min({left, first, second});
+      right = std::max({right, first, second});
+    }
+    if (std::ceil(left - step) <= right + step) return false;
+  }
+  return true;
+}
+
+std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<SetupVertex, 3>& vertex, bool t_drawn) {
+  if (rasteriser.exact()) return {};
+  using glm::dvec2;
+  const auto edge = [&](int i) {  // from vertex i + 1 to vertex i + 2
+    const SetupVertex &from = vertex[(i + 1) % 3], &to = vertex[(i + 2) % 3];
+    return dvec2(to.x - from.x, to.y - from.y);
+  };
+  const dvec2 side[3] = {edge(0), edge(1), edge(2)};
+  const double area = cross(side[0], side[1]);  // twice the triangle's
+  if (area == 0) return {kInfinity, kInfinity, kInfinity};
+  // Gradients of the three planes.
+  const auto gradient = [&](double SetupVertex::*of) {
+    dvec2 g{0, 0};
+    for (int i = 0; i < 3; ++i) g += (vertex[i].*of / area) * dvec2(-side[i].y, side[i].x);
+    return g;
+  };
+  const dvec2 of_s = gradient(&SetupVertex::s), of_t = gradient(&SetupVertex::t), of_q = gradient(&SetupVertex::q);
+  const glm::dvec3 v[3] = {{vertex[0].s, vertex[0].t, vertex[0].q},
+                           {vertex[1].s, vertex[1].t, vertex[1].q},
+                           {vertex[2].s, vertex[2].t, vertex[2].q}};
+  const double det = std::fabs(glm::dot(v[0], glm::cross(v[1], v[2])) / area);
+  // Pixels per unit of error of s and of t, and the largest s / q and t / q.
+  double px_per_s = 0, px_per_t = 0, largest_s = 0, largest_t = 0, plane_s = 0, plane_t = 0, plane_q = 0;
+  for (const SetupVertex& p : vertex) {
+    px_per_s = std::max(px_per_s, glm::length(p.q * of_t - p.t * of_q));
+    px_per_t = std::max(px_per_t, glm::length(p.q * of_s - p.s * of_q));
+    largest_s = std::max(largest_s, std::fabs(p.s / p.q));
+    largest_t = std::max(largest_t, std::fabs(p.t / p.q));
+    plane_s = std::max(plane_s, std::fabs(p.s));
+    plane_t = std::max(plane_t, std::fabs(p.t));
+    plane_q = std::max(plane_q, std::fabs(p.q));
+  }
+  px_per_s /= det;
+  px_per_t = t_drawn ? px_per_t / det : 0;
+  const double px_per_q = px_per_s * largest_s + px_per_t * largest_t;
+  // An edge's differences of all three planes, each in pixels.
+  double weight[3];
+  for (int i = 0; i < 3; ++i) {
+    const SetupVertex &from = vertex[(i + 1) % 3], &to = vertex[(i + 2) % 3];
+    weight[i] = px_per_s * std::fabs(to.s - from.s) + px_per_t * std::fabs(to.t - from.t) +
+                px_per_q * std::fabs(to.q - from.q);
+  }
+  // At each vertex, whichever other one the planes are hung from.
+  double thin[3] = {};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const dvec2 p{std::fabs(side[i].x), std::fabs(side[i].y)}, q{std::fabs(side[j].x), std::fabs(side[j].y)};
+    const double scale = p.x * q.y + p.y * q.x, x = weight[i] * q.y + weight[j] * p.y,
+                 y = weight[i] * q.x + weight[j] * p.x;
+    // Sides i and j meet at vertex k; side i leads from it to vertex j, side j to vertex i.
+    thin[j] = std::max(thin[j], scale * glm::length(p) + x * p.x + y * p.y);
+    thin[i] = std::max(thin[i], scale * glm::length(q) + x * q.x + y * q.y);
+  }
+  const auto plane = [&](const dvec2& g, double largest) {
+    return std::fabs(g.x) * rasteriser.reach_x_px + std::fabs(g.y) * rasteriser.reach_y_px + largest;
+  };
+  const double evaluation = px_per_s * plane(of_s, plane_s) + px_per_t * plane(of_t, plane_t) + px_per_q * plane(of_q, plane_q);
+  std::array<double, 3> bound;
+  for (int i = 0; i < 3; ++i) {
+    const double px =
+        rasteriser.rounding * (kSetupUnits * thin[i] / std::fabs(area) + kEvaluationUnits * evaluation);
+    bound[i] = px >= 0 ? px : kInfinity;
+  }
+  return bound;
+}
+
+}  // namespace truequad::kernel

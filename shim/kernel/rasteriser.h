@@ -1,0 +1,47 @@
+// What a rasteriser adds to the error of a triangle: vertices snapped to a grid, and set-up in floating point.
+// Derived in docs/design.md "Rasterisers".
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "screen.h"
+
+namespace truequad::kernel {
+
+struct Rasteriser {
+  double snap_px = 0;   // View::snap_px
+  double rounding = 0;  // View::setup_rounding
+  // The viewport's centre, and the largest window coordinates that can be drawn.
+  double centre_x_px = 0, centre_y_px = 0, reach_x_px = 0, reach_y_px = 0;
+
+  bool exact() const { return rounding == 0; }
+  // How far a vertex may be from where it is drawn, in x and in y.
+  double step_px() const;
+};
+Rasteriser make_rasteriser(const View& view);
+
+// How far outside of a triangle's own image its pixels may lie, since they are those of the snapped triangle
+// while its values may be interpolated between the vertices before snapping.
+struct SnapMargin {
+  double error = 0;     // added to the interpolation error of uv
+  double u = 0, v = 0;  // largest steps of the parameters
+  double w = 1;         // factor that w may lose
+};
+// gradient_u, gradient_v: of the linear interpolant of uv over the triangle; visible: its visible part.
+SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
+                       double gradient_v, std::span<const ScreenPoint> visible);
+
+// Values that a rasteriser interpolates over a triangle: a window point, in pixels from the viewport's centre,
+// s and t times q, and q, which is 1 / w times the q of the texture coordinates.
+struct SetupVertex {
+  double x, y, s, t, q;
+};
+// Largest displacement in pixels, at each vertex, of a texel that the rounding of set-up and evaluation causes. Between
+// the vertices it is no more than their interpolant. t_drawn: false if only s is interpolated.
+std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<SetupVertex, 3>& vertex, bool t_drawn);
+
+// True if no pixel's centre can be in the convex polygon of these points, wherever its vertices are snapped to.
+bool misses_pixels(const Rasteriser& rasteriser, std::span<const ScreenPoint> polygon);
+
+}  // namespace truequad::kernel
