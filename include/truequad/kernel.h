@@ -111,10 +111,13 @@ struct Leaf {
 struct Plan {
   Action action = Action::kPass;
   PassReason reason = PassReason::kNone;
-  // What is promised: no texel lies farther than this from its exact place, in pixels, over the visible part.
+  // What is promised: no texel lies farther than this from its exact place, in pixels, over the visible part, when
+  // a rasteriser draws it as View describes.
   // Infinite where nothing can be promised (then `capped` is set).
   double bound_px = 0;
-  bool capped = false;  // bound_px > tolerance because the cap was hit or the texture map cannot be inverted
+  // bound_px > tolerance: the cap was hit, the texture map cannot be inverted, or triangles that are too thin for the
+  // rasteriser's arithmetic cannot be avoided.
+  bool capped = false;
   int triangles = 2;    // that the action draws
   // kProject: factors of A B C D for every texture set; texture coordinates become (l s, l t, l r, l q).
   std::array<std::array<double, 4>, kMaxTextureSets> lambda{};

@@ -13,6 +13,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Deepest halving of one long triangle that looks for a tighter bound.
 constexpr int kDepth = 6;
+// The same to find how far beyond the limit a triangle is.
+constexpr int kFarDepth = 3;
+// As part of the limit: worth that search.
+constexpr double kNear = 1.1;
 // Largest part of the quad that lies between one side and the block.
 constexpr double kMaxInset = 0.3;
 // Smallest: an inserted vertex must stay off the edge when its position is rounded to single precision.
@@ -23,12 +27,16 @@ constexpr int kSmallestBlock = 12;
 constexpr int kFoldedTriangles = 512;
 constexpr int kMaxRounds = 24;
 // Triangles that are verified in all rounds together before the best mesh so far is taken.
-constexpr int kMostWork = 16384;
+constexpr int kMostWork = 8192;
 // Lines and insets are made for a little less than what verification asks, or its rounding slack would refuse
 // them.
 constexpr double kMargin = 1 - 1e-6;
-// A cell whose exact error is below this part of the aim is not too large.
-constexpr double kFits = 1 + 1e-6;
+// The same for what a rasteriser usually adds.
+constexpr double kRasteriserMargin = 0.99;
+// Part of the aim that corrected insets are made for.
+constexpr double kGoal = 0.99;
+// Rounds that correct insets alone.
+constexpr int kMaxSideRounds = 8;
 
 double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px) {
   double bound = 0;
@@ -138,57 +146,81 @@ struct Verdict {
   double worst() const { return std::max({block, side[0], side[1], side[2], side[3]}); }
 };
 
-// The bound of a triangle that is beyond a limit, which triangle_bound() does not look into: to within a tenth.
-double bound_beyond(const ErrorModel& model, const std::array<MeshPoint, 3>& c, double from_px, double plain_px, int depth) {
-  for (double limit_px = from_px; limit_px < plain_px; limit_px *= 1.1) {
-    const double bound = triangle_bound(model, c[0], c[1], c[2], limit_px, depth);
-    if (bound <= limit_px) return bound;
-    if (bound == kInfinity) break;
-  }
-  return plain_px;
-}
-
 // exact: the same model without a rasteriser.
-Verdict verify(const ErrorModel& model, const ErrorModel& exact, const Plan& plan, double limit_px, int depth) {
-  Verdict verdict;
+void verify_sides(const ErrorModel& model, const ErrorModel& exact, const Plan& plan, double limit_px,
+                  Verdict& verdict) {
   const Block block(plan);
   const auto point = [&](Node node) {
     const Param at = param(plan, block, node);
     return mesh_point(model, at.u, at.v);
   };
-  std::array<MeshPoint, 2> left;
-  for (int j = 0; j < block.m; ++j) {
-    left = {point({0, j}), point({0, j + 1})};
-    for (int i = 0; i < block.n; ++i) {
-      const std::array<MeshPoint, 2> right{point({i + 1, j}), point({i + 1, j + 1})};
-      const Param middle = centre(plan, i, j);
-      const MeshPoint top = mesh_point(model, middle.u, middle.v);
-      const double bound = cell_bound(model, {left[0], right[0], right[1], left[1]}, top, limit_px);
-      verdict.block = std::max(verdict.block, bound);
-      if (bound > limit_px && !model.rasteriser.exact()) {
-        verdict.exact_block =
-            std::max(verdict.exact_block, cell_bound(exact, {left[0], right[0], right[1], left[1]}, top, limit_px));
-      }
-      if (bound < kInfinity) verdict.finite_block = std::max(verdict.finite_block, bound);
-      left = right;
-    }
-  }
   for (int side = 0; side < 4; ++side) {
     if (block.flush[side]) continue;
     for_each_border_triangle(block, side, [&](Node a, Node b, Node c) {
       const MeshPoint p = point(a), q = point(b), r = point(c);
-      double bound = triangle_bound(model, p, q, r, limit_px, depth), of_map = bound;
+      double bound = triangle_bound(model, p, q, r, limit_px, kDepth), of_map = bound;
       if (!(bound > verdict.side[side])) return;
       if (bound > limit_px) {
-        bound = bound_beyond(model, {p, q, r}, limit_px, bound, depth);
-        of_map = bound_beyond(exact, {p, q, r}, limit_px / 8, bound, depth);
+        // Beyond the limit triangle_bound() has not looked for how far.
+        const int look = bound > kNear * limit_px ? kFarDepth : 0;
+        if (look > 0) bound = triangle_bound(model, p, q, r, kTightest, look);
+        of_map = triangle_bound(exact, p, q, r, kTightest, look);
         if (!(bound > verdict.side[side])) return;
       }
       verdict.side[side] = bound;
       verdict.side_exact[side] = of_map;
     });
   }
-  return verdict;
+}
+
+void verify_block(const ErrorModel& model, const ErrorModel& exact, const Plan& plan, double limit_px,
+                  Verdict& verdict) {
+  const Block block(plan);
+  const auto point = [&](Node node) {
+    const Param at = param(plan, block, node);
+    return mesh_point(model, at.u, at.v);
+  };
+  for (int j = 0; j < block.m; ++j) {
+    std::array<MeshPoint, 2> left{point({0, j}), point({0, j + 1})};
+    for (int i = 0; i < block.n; ++i) {
+      const std::array<MeshPoint, 2> right{point({i + 1, j}), point({i + 1, j + 1})};
+      const Param middle = centre(plan, i, j);
+      const MeshPoint top = mesh_point(model, middle.u, middle.v);
+      const std::array<MeshPoint, 4> corner{left[0], right[0], right[1], left[1]};
+      const double bound = cell_bound(model, corner, top, limit_px);
+      verdict.block = std::max(verdict.block, bound);
+      if (bound < kInfinity) verdict.finite_block = std::max(verdict.finite_block, bound);
+      if (bound > limit_px && !model.rasteriser.exact()) {
+        verdict.exact_block = std::max(verdict.exact_block, cell_bound(exact, corner, top, limit_px));
+      }
+      left = right;
+    }
+  }
+}
+
+// Corrects the factors of insets whose sides are beyond the aim; false if none can be.
+bool correct_insets(const Verdict& verdict, bool folded, double aim_px, Insets& factor) {
+  bool changed = false;
+  for (int side = 0; side < 4; ++side) {
+    const double found_px = verdict.side[side];
+    if (!(found_px > aim_px) || (folded && found_px == kInfinity)) continue;
+    // The map's part of the error grows with the inset, the rasteriser's falls with it.
+    const double map_px = verdict.side_exact[side], rest_px = found_px - map_px;
+    const double goal_px = kGoal * aim_px, root = goal_px * goal_px - 4 * map_px * rest_px;
+    double change;
+    if (!(rest_px < kInfinity) || !(map_px < kInfinity) || rest_px < 0.01 * aim_px) {
+      change = std::clamp(goal_px / found_px, 0.25, 0.95);
+    } else if (root >= 0) {
+      change = std::clamp((goal_px + std::sqrt(root)) / (2 * map_px), 0.25, 4.0);
+    } else {
+      // Out of reach for this shape, if the inset is already about the best.
+      change = std::clamp(std::sqrt(rest_px / map_px), 0.25, 4.0);
+      if (change > 0.9 && change < 1.1) continue;
+    }
+    factor[side] *= change;
+    changed = true;
+  }
+  return changed;
 }
 
 void set_fan(Plan& plan, double bound) {
@@ -211,12 +243,13 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
 
   const std::array<bool, 4>& flush = plan.collapsed_edge;
   double aim_px = budget.mesh_px;      // error that lines and insets are made for
-  double lines_px = kMargin * aim_px;  // the same for the lines alone, corrected by what verification found
+  const double margin = model.rasteriser.exact() ? kMargin : kRasteriserMargin;
+  double lines_px = margin * aim_px;   // the same for the lines alone, corrected by what verification found
   Insets shrink;                       // the same for insets, as a factor
-  shrink.fill(kMargin);
+  shrink.fill(margin);
   const double middle_u = median(densities.u), middle_v = median(densities.v);
   bool found = false, at_cap = false;
-  int work = 0;
+  int work = 0, side_rounds = 0;
   ErrorModel exact = model;
   exact.rasteriser = {};
   // The best mesh of those that do not keep the aim.
@@ -246,8 +279,13 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
     }
     found = true;
     plan.triangles = triangles;
+    // Sides first: they are few triangles, and the insets that they ask for change the block.
+    Verdict verdict;
+    verify_sides(model, exact, plan, aim_px, verdict);
+    const bool insets_changed = correct_insets(verdict, model.folded, aim_px, shrink);
+    if (insets_changed && ++side_rounds <= kMaxSideRounds) continue;
+    verify_block(model, exact, plan, aim_px, verdict);
     work += triangles;
-    const Verdict verdict = verify(model, exact, plan, aim_px, kDepth);
     plan.bound_px = verdict.worst();
     if (plan.bound_px <= aim_px) break;
     if (plan.bound_px < best_px || best_lines_px == 0) {
@@ -256,34 +294,16 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
       best_inset = inset;
     }
     const double block = model.folded ? verdict.finite_block : verdict.block;
-    bool changed = false;
-    if (block > aim_px && !at_cap) {
+    const bool correct_lines = block > aim_px && !at_cap;
+    if (correct_lines) {
       // Slivers, which occur where the quad's picture folds, are no matter of size: other lines have others.
-      const bool too_large = model.rasteriser.exact() || verdict.exact_block > kFits * aim_px;
-      lines_px *= too_large ? std::clamp(0.99 * aim_px / block, 0.5, 0.98) : std::clamp(0.998 * aim_px / block, 0.97, 0.998);
-      changed = true;
+      const bool too_large = model.rasteriser.exact() || verdict.exact_block > aim_px;
+      lines_px *= too_large ? std::clamp(0.99 * aim_px / block, 0.5, 0.98)
+                            : std::clamp(0.998 * aim_px / block, 0.97, 0.998);
     }
-    for (int side = 0; side < 4; ++side) {
-      if (!(verdict.side[side] > aim_px) || (model.folded && verdict.side[side] == kInfinity)) continue;
-      // The map's part of the error grows with the inset, the rasteriser's falls with it.
-      const double map_px = verdict.side_exact[side], rest_px = verdict.side[side] - map_px;
-      const double goal_px = 0.99 * aim_px, root = goal_px * goal_px - 4 * map_px * rest_px;
-      double factor;
-      if (!(rest_px < kInfinity) || !(map_px < kInfinity) || rest_px < 0.01 * aim_px) {
-        factor = std::clamp(goal_px / verdict.side[side], 0.25, 0.95);
-      } else if (root >= 0) {
-        factor = std::clamp((goal_px + std::sqrt(root)) / (2 * map_px), 0.25, 4.0);
-      } else {
-        // Out of reach for this shape, if the inset is already about the best.
-        factor = std::clamp(std::sqrt(rest_px / map_px), 0.25, 4.0);
-        if (factor > 0.9 && factor < 1.1) continue;
-      }
-      shrink[side] *= factor;
-      changed = true;
-    }
-    if (!changed) break;
+    if (!correct_lines && !insets_changed) break;
   }
-  if (plan.bound_px > best_px && best_lines_px > 0) {
+  if (best_lines_px > 0 && (!found || plan.bound_px > best_px)) {
     plan.triangles = choose_lines(densities, best_inset, flush, best_lines_px, cap, plan);
     plan.bound_px = best_px;
     found = true;

@@ -187,8 +187,10 @@ double part_bound(const ErrorModel& model, const Whole& whole, const std::array<
   const Corner middle{(p.u + q.u) / 2, (p.v + q.v) / 2, (p.e + q.e) / 2 - (p.u - q.u) * (p.v - q.v) / 4,
                       0.5 * (p.p + q.p), middle_setup(p, q)};
   const double first = part_bound(model, whole, {p, middle, far}, limit_px, depth - 1);
-  if (first > limit_px) return bound;
+  const bool search = limit_px == kTightest;
+  if (first > limit_px && !search) return bound;
   const double second = part_bound(model, whole, {middle, q, far}, limit_px, depth - 1);
+  if (search) return std::min(bound, std::max(first, second));
   return second > limit_px ? bound : std::max(first, second);
 }
 
@@ -283,7 +285,9 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
   if (!exact) {
     const std::array<ScreenPoint, 3> p{a.p, b.p, c.p};
     if (!visible.of(model.screen, a.p, b.p, c.p) || draws_nothing(model.screen, p)) return 0;
-    whole.margin = snap_margin(model.rasteriser, {a, b, c}, gradient_u, gradient_v, visible.part.points());
+    whole.margin = visible.clipped ? clipped_snap_margin(model.rasteriser, {a, b, c}, gradient_u, gradient_v,
+                                                         visible.part.points())
+                                   : snap_margin(model.rasteriser, {a, b, c}, gradient_u, gradient_v);
     for (const TextureMap& map : model.maps()) {
       const auto texture = [&](const MeshPoint& at) { return glm::dvec3(map.s.at(at.u, at.v), map.t.at(at.u, at.v), 1); };
       const auto px = setup_at(model.rasteriser, p, {texture(a), texture(b), texture(c)}, map.t_drawn, visible.part,
@@ -294,9 +298,51 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
   const std::array<Corner, 3> corner{Corner{a.u, a.v, 0, a.p, setup[0]}, Corner{b.u, b.v, 0, b.p, setup[1]},
                                      Corner{c.u, c.v, 0, c.p, setup[2]}};
   const double bound = part_bound(model, whole, corner, limit_px, depth);
-  if (bound > limit_px && !exact && misses_pixels(model.rasteriser, visible.part.points())) return 0;
+  if (bound > limit_px && limit_px != kTightest && !exact && misses_pixels(model.rasteriser, visible.part.points())) return 0;
   return bound;
 }
+
+namespace {
+
+// The four triangles of a visible rectangle together: their own determinants are those of edge midpoints, within the
+// corners' range.
+double whole_cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, const MeshPoint& centre) {
+  const ScreenPoint points[4] = {corner[0].p, corner[1].p, corner[2].p, corner[3].p};
+  const double error = (corner[1].u - corner[0].u) * (corner[3].v - corner[0].v) / 16;
+  SnapMargin margin;
+  if (!model.rasteriser.exact()) {
+    for (int i = 0; i < 4; ++i) {
+      // Along the outer side uv has the gradient of its middle.
+      const MeshPoint &a = corner[i], &b = corner[(i + 1) % 4];
+      margin.include(
+          snap_margin(model.rasteriser, {a, b, centre}, (a.v + b.v) / 2, (a.u + b.u) / 2));
+    }
+  }
+  double bound = 0;
+  for (const TextureMap& map : model.maps()) {
+    const double jacobian = least_jacobian(map, corner, map.jacobian(corner[0].u, corner[0].v)) -
+                            std::fabs(map.of_u) * margin.u - std::fabs(map.of_v) * margin.v;
+    double map_px = displacement(map, error + margin.error, jacobian, points, margin.w);
+    if (!model.rasteriser.exact()) {
+      const auto vertex_at = [&](const MeshPoint& at) {
+        const double w = 1 / at.p.w;
+        return SetupVertex{at.p.x * w, at.p.y * w, map.s.at(at.u, at.v) * w, map.t.at(at.u, at.v) * w, w};
+      };
+      const SetupVertex vertex[5] = {vertex_at(corner[0]), vertex_at(corner[1]), vertex_at(corner[2]),
+                                     vertex_at(corner[3]), vertex_at(centre)};
+      double setup = 0;
+      for (int i = 0; i < 4; ++i) {
+        const auto px = setup_px(model.rasteriser, {vertex[i], vertex[(i + 1) % 4], vertex[4]}, map.t_drawn);
+        setup = std::max({setup, px[0], px[1], px[2]});
+      }
+      map_px += setup;
+    }
+    bound = std::max(bound, map_px);
+  }
+  return bound;
+}
+
+}  // namespace
 
 double projected_px(const ErrorModel& model, const Corners& texture, const std::array<double, 4>& lambda, double limit_px) {
   if (model.rasteriser.exact()) return 0;
@@ -338,16 +384,8 @@ double cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corne
   if (all) return 0;
   const bool rectangle = corner[0].u == corner[3].u && corner[1].u == corner[2].u && corner[0].v == corner[1].v &&
                          corner[2].v == corner[3].v;
-  const double error = (corner[1].u - corner[0].u) * (corner[3].v - corner[0].v) / 16;
-  if (!any && rectangle && model.rasteriser.exact()) {
-    // The four triangles together: their own determinants are those of edge midpoints, within the corners'
-    // range.
-    const ScreenPoint points[4] = {corner[0].p, corner[1].p, corner[2].p, corner[3].p};
-    double bound = 0;
-    for (const TextureMap& map : model.maps()) {
-      const double jacobian = least_jacobian(map, corner, map.jacobian(corner[0].u, corner[0].v));
-      bound = std::max(bound, displacement(map, error, jacobian, points));
-    }
+  if (!any && rectangle) {
+    const double bound = whole_cell_bound(model, corner, centre);
     if (bound <= limit_px) return bound;
   }
   double bound = 0;

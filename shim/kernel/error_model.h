@@ -56,7 +56,9 @@ MeshPoint mesh_point(const ErrorModel& model, double u, double v);
 // Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact
 // place, what the rasteriser adds included but for the allowance of snapping itself; 0 if nothing of it is inside. Infinite if no bound
 // is known. If the plain bound exceeds `limit_px`, up to `depth` halvings of the triangle look for a tighter one
-// that does not; the result is then below or at the limit, or the plain bound.
+// that does not; the result is then below or at the limit, or the plain bound. With kTightest as limit it is the
+// tightest that `depth` halvings give.
+inline constexpr double kTightest = -1;
 double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c,
                       double limit_px, int depth);
 

@@ -22,7 +22,8 @@ void pass(Plan& out, PassReason reason) {
 }
 
 bool finite(const View& view) {
-  double sum = std::fabs(view.viewport.width) + std::fabs(view.viewport.height);
+  const Viewport& v = view.viewport;
+  double sum = std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.width) + std::fabs(v.height);
   for (double element : view.clip_from_object) sum += std::fabs(element);
   return std::isfinite(sum);
 }

@@ -39,39 +39,43 @@ double Rasteriser::step_px() const {
   return snap_px / 2 + kPositionUnits * rounding * std::max(reach_x_px, reach_y_px);
 }
 
-SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
-                       double gradient_v, std::span<const ScreenPoint> visible) {
-  SnapMargin margin;
-  if (rasteriser.exact()) return margin;
-  const double step = rasteriser.step_px();
-  const BarycentricWeights weights({triangle[0].p, triangle[1].p, triangle[2].p});
+void SnapMargin::include(const SnapMargin& other) {
+  error = std::max(error, other.error);
+  u = std::max(u, other.u);
+  v = std::max(v, other.v);
+  w = std::max(w, other.w);
+}
+
+namespace {
+
+// The margin from the parameters of the `count` corners of what is visible.
+SnapMargin margin_at(double step, const std::array<MeshPoint, 3>& triangle, const BarycentricWeights& weights,
+                     double gradient_u, double gradient_v, const MeshPoint* visible, std::size_t count) {
   struct At {
     double error_u, error_v;  // gradient of the interpolation error
     double du[2], dv[2];      // steps for both diagonals of the grid's square, but for the factor of w
   };
   std::array<At, 9> at;
-  const std::size_t count = std::min(visible.size(), at.size());
+  const glm::dvec3 diagonals[2] = {weights.step(step, step), weights.step(step, -step)};
   double ratio = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const glm::dvec3 b = weights.at(visible[k]);
-    const double u = b[0] * triangle[0].u + b[1] * triangle[1].u + b[2] * triangle[2].u;
-    const double v = b[0] * triangle[0].v + b[1] * triangle[1].v + b[2] * triangle[2].v;
+    const auto& [u, v, p] = visible[k];
     at[k] = {v - gradient_u, u - gradient_v, {}, {}};
-    for (int diagonal = 0; diagonal < 2; ++diagonal) {
-      const glm::dvec3 n = visible[k].w * weights.step(step, diagonal ? -step : step);
+    for (int d = 0; d < 2; ++d) {
+      const glm::dvec3 n = p.w * diagonals[d];
       for (int i = 0; i < 3; ++i) {
-        at[k].du[diagonal] += n[i] * (triangle[i].u - u);
-        at[k].dv[diagonal] += n[i] * (triangle[i].v - v);
+        at[k].du[d] += n[i] * (triangle[i].u - u);
+        at[k].dv[d] += n[i] * (triangle[i].v - v);
       }
-      const double sum = n[0] + n[1] + n[2];
-      ratio = std::max(ratio, std::fabs(sum));
+      ratio = std::max(ratio, std::fabs(n[0] + n[1] + n[2]));
     }
   }
   if (!(ratio < 1)) return {kInfinity, kInfinity, kInfinity, kInfinity};
+  SnapMargin margin;
   margin.w = 1 + ratio;
   for (std::size_t k = 0; k < count; ++k) {
-    for (int diagonal = 0; diagonal < 2; ++diagonal) {
-      const double du = at[k].du[diagonal] / (1 - ratio), dv = at[k].dv[diagonal] / (1 - ratio);
+    for (int d = 0; d < 2; ++d) {
+      const double du = at[k].du[d] / (1 - ratio), dv = at[k].dv[d] / (1 - ratio);
       margin.u = std::max(margin.u, std::fabs(du));
       margin.v = std::max(margin.v, std::fabs(dv));
       for (std::size_t j = 0; j < count; ++j) {
@@ -81,6 +85,27 @@ SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint,
     }
   }
   return margin;
+}
+
+}  // namespace
+
+SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
+                       double gradient_v) {
+  const BarycentricWeights weights({triangle[0].p, triangle[1].p, triangle[2].p});
+  return margin_at(rasteriser.step_px(), triangle, weights, gradient_u, gradient_v, triangle.data(), 3);
+}
+
+SnapMargin clipped_snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle,
+                               double gradient_u, double gradient_v, std::span<const ScreenPoint> visible) {
+  const BarycentricWeights weights({triangle[0].p, triangle[1].p, triangle[2].p});
+  std::array<MeshPoint, 9> at;
+  const std::size_t count = std::min(visible.size(), at.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const glm::dvec3 b = weights.at(visible[k]);
+    at[k] = {b[0] * triangle[0].u + b[1] * triangle[1].u + b[2] * triangle[2].u,
+             b[0] * triangle[0].v + b[1] * triangle[1].v + b[2] * triangle[2].v, visible[k]};
+  }
+  return margin_at(rasteriser.step_px(), triangle, weights, gradient_u, gradient_v, at.data(), count);
 }
 
 bool misses_pixels(const Rasteriser& rasteriser, std::span<const ScreenPoint> polygon) {

@@ -27,10 +27,15 @@ struct SnapMargin {
   double error = 0;     // added to the interpolation error of uv
   double u = 0, v = 0;  // largest steps of the parameters
   double w = 1;         // factor that w may lose
+
+  void include(const SnapMargin& other);
 };
-// gradient_u, gradient_v: of the linear interpolant of uv over the triangle; visible: its visible part.
+// gradient_u, gradient_v: of the linear interpolant of uv over the triangle, which is visible as a whole.
 SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
-                       double gradient_v, std::span<const ScreenPoint> visible);
+                       double gradient_v);
+// The same for a triangle with this visible part.
+SnapMargin clipped_snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle,
+                               double gradient_u, double gradient_v, std::span<const ScreenPoint> visible);
 
 // Values that a rasteriser interpolates over a triangle: a window point, in pixels from the viewport's centre,
 // s and t times q, and q, which is 1 / w times the q of the texture coordinates.

@@ -55,7 +55,7 @@ BarycentricWeights::BarycentricWeights(const std::array<ScreenPoint, 3>& corner)
   row_[1] = glm::cross(c, a);
   row_[2] = glm::cross(a, b);
   const double det = glm::dot(a, row_[0]);
-  for (glm::dvec3& row : row_) row /= det;
+  for (glm::dvec3& row : row_) row *= 1 / det;
 }
 
 glm::dvec3 BarycentricWeights::at(const ScreenPoint& p) const {
