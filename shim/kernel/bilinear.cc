@@ -314,7 +314,12 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
 }  // namespace
 
 double block_bound(const ErrorModel& model, const Budget& budget, const Plan& plan) {
-  return verify(model, plan, budget.mesh_px, kDepth).worst();
+  ErrorModel exact = model;
+  exact.rasteriser = {};
+  Verdict verdict;
+  verify_sides(model, exact, plan, budget.mesh_px, verdict);
+  verify_block(model, exact, plan, budget.mesh_px, verdict);
+  return verdict.worst();
 }
 
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan) {

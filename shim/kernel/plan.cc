@@ -102,6 +102,7 @@ void bound_mesh(const Corners& position, std::span<const Corners> textures, cons
   mesh.bound_px = 0;
   if (classify(position, textures) == Shape::kWarped) {
     ErrorModel model;
+    model.rasteriser = kernel::make_rasteriser(view);
     const bool known = kernel::make_screen_quad(position, view, model.screen) &&
                        kernel::add_texture_maps(position, textures, model);
     mesh.bound_px = !known                ? std::numeric_limits<double>::infinity()
