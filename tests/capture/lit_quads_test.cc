@@ -212,7 +212,8 @@ TEST(LitQuads, WithoutClampingKeepColoursOutOfRange) {
     for (const bool float_buffer : {false, true}) {
       start.numbers[GL_RGBA_FLOAT_MODE_ARB] = {double(float_buffer)};
       float brightest = 0;
-      for (const Values& vertex : meshes(draw(one_quad(nothing), start).ours).at(0)->vertices) {
+      const auto drawn = draw(one_quad(nothing), start);
+      for (const Values& vertex : meshes(drawn.ours).at(0)->vertices) {
         brightest = std::max(brightest, vertex[kColor][0]);
       }
       EXPECT_EQ(brightest > 1, clamp == GL_FALSE || (clamp == GL_FIXED_ONLY && float_buffer));

@@ -20,7 +20,7 @@ using Lines = std::vector<std::string>;
 using Environment = std::map<std::string, std::string>;
 
 const char* const kKinds[] = {"osmesa", "glx", "egl"};
-const std::string kLibrary = TRUEQUAD_LIBRARY;
+const std::string kLibrary = TRUEQUAD_PRELOAD;
 
 Lines lines_of(const std::string& text) {
   std::istringstream in(text);

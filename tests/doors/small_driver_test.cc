@@ -12,7 +12,7 @@ namespace truequad::doors_test {
 namespace {
 
 namespace fs = std::filesystem;
-const std::string kLibrary = TRUEQUAD_LIBRARY, kDriver = TRUEQUAD_SMALL_DRIVER;
+const std::string kLibrary = TRUEQUAD_PRELOAD, kDriver = TRUEQUAD_SMALL_DRIVER;
 
 Ended small_program(const std::string& preload, const std::vector<std::string>& arguments, const std::string& log = "") {
   std::vector<std::string> words = {TRUEQUAD_SMALL_PROGRAM};
@@ -65,7 +65,7 @@ TEST(SmallDriver, TenThousandContextsLeaveNothingBehind) {
 // Another copy, as a program may find one in its own directory and one in LD_PRELOAD.
 TEST(LoadedTwice, StillReachesTheDriver) {
   const Scratch scratch;
-  fs::copy_file(kLibrary, scratch / "libtruequad.so");
+  fs::copy_file(TRUEQUAD_LIBRARY, scratch / "libtruequad.so");
   const std::string preload = kLibrary + ":" + (scratch / "libtruequad.so").string() + ":" + kDriver;
   for (const std::vector<std::string>& check :
        {std::vector<std::string>{"quads"}, {"all"}, {"contexts", "1000"}}) {
