@@ -97,11 +97,19 @@ inline Step store(Capture& c, Slot slot, const Float4& value, const void* raw) {
   else return attribute<row, raw_size>(c, slot, value, raw);
 }
 
+// A program's pointer may have any alignment.
+template <typename T>
+inline T load(const T* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
 // Numbers given by value or, in the vector forms, by pointer.
 template <Row row, typename T>
 inline Step numbers(Capture& c, Slot slot, const T* values) {
   Float4 value = default_value(row.family);
-  for (unsigned i = 0; i < row.size; ++i) value.at[i] = to_float<row.encoding, row.normalized>(values[i]);
+  for (unsigned i = 0; i < row.size; ++i) value.at[i] = to_float<row.encoding, row.normalized>(load(values + i));
   constexpr unsigned kRawSize = kIsPlain<row, T> ? 0 : row.size * sizeof(T);
   static_assert(kRawSize <= sizeof(Raw));
   return store<row, kRawSize>(c, slot, value, values);
@@ -164,7 +172,7 @@ inline Step record(Capture& c, First first, Rest... rest) {
     const auto with_row = [&]<Row kind>() {
       if constexpr (family == Family::VertexAttribP) {
         const auto value_of = []<typename V>(V v) -> GLuint {
-          if constexpr (std::is_pointer_v<V>) return *v;
+          if constexpr (std::is_pointer_v<V>) return load(v);
           else return v;
         };
         return [&](GLenum type, GLboolean normalized, auto v) {
@@ -172,7 +180,7 @@ inline Step record(Capture& c, First first, Rest... rest) {
         }(rest...);
       } else if constexpr (row.encoding == Encoding::kPacked) {
         return [&](GLenum type, auto v) {
-          if constexpr (std::is_pointer_v<decltype(v)>) return packed<kind>(c, slot, type, GL_FALSE, *v);
+          if constexpr (std::is_pointer_v<decltype(v)>) return packed<kind>(c, slot, type, GL_FALSE, load(v));
           else return packed<kind>(c, slot, type, GL_FALSE, v);
         }(rest...);
       } else if constexpr (row.vector) {
@@ -199,7 +207,7 @@ inline Step record(Capture& c, First first, Rest... rest) {
     constexpr Slot slot = kSlotOf[unsigned(family)];
     if constexpr (row.encoding == Encoding::kPacked) {
       return [&](auto v) {
-        if constexpr (std::is_pointer_v<decltype(v)>) return packed<row>(c, slot, first, GL_FALSE, *v);
+        if constexpr (std::is_pointer_v<decltype(v)>) return packed<row>(c, slot, first, GL_FALSE, load(v));
         else return packed<row>(c, slot, first, GL_FALSE, v);
       }(rest...);
     } else if constexpr (row.vector) {
@@ -234,7 +242,7 @@ inline Step material(Capture& c, Arguments... arguments) {
     if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return give_up(c);
     T values[4] = {};
     if constexpr (std::is_pointer_v<decltype(parameter)>) {
-      std::copy(parameter, parameter + size, values);
+      std::memcpy(values, parameter, size * sizeof(T));
     } else {
       if (property != GL_SHININESS) return give_up(c);
       values[0] = parameter;

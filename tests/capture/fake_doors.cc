@@ -1,5 +1,6 @@
 // A table of functions that do what the doors of the library do, on top of the fake driver; and calls of any row of the
 // attribute list with reproducible arguments.
+#include <cstring>
 #include <random>
 #include <type_traits>
 
@@ -91,6 +92,8 @@ void invoke_row(void(GLAPIENTRY* call)(A...), unsigned seed, unsigned place, boo
   unsigned index = 0;
   using Last = std::tuple_element_t<sizeof...(A) - 1, std::tuple<A...>>;
   std::remove_cv_t<std::remove_pointer_t<Last>> numbers[4];
+  // At an odd address: GL asks for no alignment, and the packed structures of programs have none.
+  alignas(16) unsigned char unaligned[1 + sizeof numbers];
   const auto argument = [&]<typename T>() -> T {
     const unsigned i = index++;
     if constexpr (std::is_pointer_v<T>) {
@@ -99,7 +102,8 @@ void invoke_row(void(GLAPIENTRY* call)(A...), unsigned seed, unsigned place, boo
       if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(numbers[0])>>) {
         if (property == GL_SHININESS) numbers[0] = numbers[0] % 100;
       }
-      return numbers;
+      std::memcpy(unaligned + 1, numbers, sizeof numbers);
+      return reinterpret_cast<T>(unaligned + 1);
     } else {
       if constexpr (row.family == Family::Material) {
         if (i == 0) return T(wild && random.below(20) == 0 ? GL_TEXTURE_2D : kFaces[random.below(3)]);

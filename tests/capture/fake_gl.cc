@@ -45,6 +45,14 @@ double plain(T x) {
   else return double(x) / (std::pow(2.0, 8 * sizeof x) - 1);
 }
 
+// Programs' pointers need no alignment.
+template <typename T>
+T load(const T* p, int i = 0) {
+  T x;
+  std::memcpy(&x, reinterpret_cast<const char*>(p) + std::size_t(i) * sizeof x, sizeof x);
+  return x;
+}
+
 Value defaults(Family family) {
   if (family == Family::FogCoord || family == Family::Index || family == Family::EdgeFlag) return {0, 0, 0, 0};
   return {0, 0, 0, 1};
@@ -104,7 +112,10 @@ void set_material(GLenum face, GLenum property, const T* values, bool scalar) {
   if (scalar && property != GL_SHININESS) return g.error(GL_INVALID_ENUM);
   const int size = property == GL_SHININESS ? 1 : property == GL_COLOR_INDEXES ? 3 : 4;
   Value value = {0, 0, 0, 1};
-  for (int i = 0; i < size; ++i) value[i] = float(size == 4 ? plain<row, true>(values[i]) : plain<row, false>(values[i]));
+  for (int i = 0; i < size; ++i) {
+    const T x = load(values, i);
+    value[i] = float(size == 4 ? plain<row, true>(x) : plain<row, false>(x));
+  }
   if (property == GL_SHININESS && !(value[0] >= 0 && value[0] <= 128)) return g.error(GL_INVALID_VALUE);
   for (unsigned side = 0; side < 2; ++side) {
     if ((face == GL_FRONT && side == 1) || (face == GL_BACK && side == 0)) continue;
@@ -153,7 +164,7 @@ void GLAPIENTRY attribute(Arguments... arguments) {
     }(arguments...);
   } else if constexpr (row.encoding == Encoding::kPacked) {
     const auto bits_of = [](auto x) {
-      if constexpr (std::is_pointer_v<decltype(x)>) return *x;
+      if constexpr (std::is_pointer_v<decltype(x)>) return load(x);
       else return x;
     };
     if constexpr (row.family == Family::VertexAttribP) {
@@ -176,7 +187,7 @@ void GLAPIENTRY attribute(Arguments... arguments) {
     const auto with = [&](auto... numbers) {
       if constexpr (row.vector) {
         const auto fill = [&](const auto* p) {
-          for (int i = 0; i < row.size; ++i) value[i] = float(plain<row>(p[i]));
+          for (int i = 0; i < row.size; ++i) value[i] = float(plain<row>(load(p, i)));
         };
         (fill(numbers), ...);
       } else {
