@@ -27,6 +27,7 @@ void draw() {
   kTrapezoid.draw(doors());
   doors().End();
   doors().EndList();
+  doors().CallList(1);
 }
 
 }  // namespace

@@ -55,14 +55,14 @@ class Statistics : public testing::Test {
 
 void expect_draws(const json& j, int times) {
   EXPECT_EQ(j["quads"], 5 * times);
-  EXPECT_EQ(j["passed"], 4 * times);
-  EXPECT_EQ(j["corrected"], times);
+  EXPECT_EQ(j["passed"], 3 * times);
+  EXPECT_EQ(j["corrected"], 2 * times);
   EXPECT_EQ(j["capped"], 0);
   EXPECT_GT(j["triangles"], 4 * times);
   EXPECT_GT(j["bound_px_max"], 0);
   EXPECT_LE(j["bound_px_max"], 0.25);
   EXPECT_EQ(j["by_path"], json({{"immediate", 4 * times}, {"list", times}}));
-  EXPECT_EQ(j["pass_reasons"], json({{"affine", 2 * times}, {"incomplete", times}, {"display_list", times}}));
+  EXPECT_EQ(j["pass_reasons"], json({{"affine", 2 * times}, {"incomplete", times}}));
   EXPECT_EQ(j["flushes"], times);
   EXPECT_EQ(j["mode"], "bilinear");
   EXPECT_EQ(j["tolerance_px"], 0.25);
