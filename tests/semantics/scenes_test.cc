@@ -44,6 +44,7 @@ const std::vector<Expected> kScenes = {
     {"flat_lamp_last", 1},
     {"flat_lamp_first", 1},
     {"flat_highlight", 1},
+    {"flat_random_lights", 1, Corrected::kSome, 16},
     {"culling", 0},
     {"stipple", 0},
     {"smooth_edges", 0, Corrected::kNone},
@@ -95,7 +96,6 @@ const std::vector<Expected> kScenes = {
 const std::vector<Expected> kOpen = {
     {"flat_textures", 0, Corrected::kSome, 1},
     {"touched_once", 0, Corrected::kSome, 240},
-    {"flat_random_lights", 1, Corrected::kSome, 40},
 };
 
 constexpr std::size_t kPictureBytes = std::size_t(kWidth) * kHeight * 4;
@@ -147,7 +147,6 @@ TEST_P(Scenes, AreTheDriversOwn) { expect_native(GetParam(), "osmesa"); }
 
 std::string scene_of(const testing::TestParamInfo<Expected>& info) { return info.param.scene; }
 INSTANTIATE_TEST_SUITE_P(Feature, Scenes, testing::ValuesIn(kScenes), scene_of);
-INSTANTIATE_TEST_SUITE_P(Open, Scenes, testing::ValuesIn(kOpen), scene_of);
 
 class OtherInterfaces : public testing::TestWithParam<const char*> {};
 
