@@ -13,6 +13,7 @@ constexpr bool has_quads(GLenum mode) { return mode == GL_QUADS || mode == GL_QU
 // begin() and end() of what is or may be captured.
 void begin_quads(Entry& entry, GLenum mode);
 void end_quads(Entry& entry);
+void note_unmatched_end(ListCompile& list);
 
 // The program called glBegin(mode). Forwards the call itself (now, or together with the first quad). Inline, as all other
 // modes pass here too.
@@ -26,6 +27,7 @@ inline void begin(Entry& entry, GLenum mode) {
 // The program called glEnd. Forwards the call itself.
 inline void end(Entry& entry) {
   if (entry.active) return end_quads(entry);
+  if (entry.list && !entry.inside) [[unlikely]] note_unmatched_end(*entry.list);
   entry.inside = false;
   entry.driver->End();
 }

@@ -45,7 +45,7 @@ struct ContextRecord {
   bool inside = false;          // while it is not current
   ListCompile* list = nullptr;  // likewise
   ShareGroup* group = nullptr;  // null without memory
-  GLuint list_base = 0;         // as it was when it could be asked for
+  GLuint list_base = 0;         // as it was when it was set, or could be asked for
   Caps caps;
 };
 

@@ -31,9 +31,20 @@ void outside_list(Entry& e, F f) {
   set_driver(e, driver);
 }
 
+// The driver cannot close its list between the glBegin and glEnd that it executes (GL 2.1 section 5.4).
+bool executes_primitive(const Entry& e) { return e.list->mode == GL_COMPILE_AND_EXECUTE && e.inside; }
+
+// Of what the driver has compiled in this part.
+Part::Half half_of(const Entry& e) {
+  const ListCompile& list = *e.list;
+  if (e.inside) return list.opened_inside ? Part::Half::kNone : Part::Half::kBegins;
+  return list.opened_inside || list.unmatched_end ? Part::Half::kEnds : Part::Half::kNone;
+}
+
 void close_driver(Entry& e) {
   ListCompile& list = *e.list;
   if (!list.driver_open) return;
+  if (list.driver_part) list.driver_part->half = half_of(e);
   list.driver->EndList();
   list.driver_open = false;
   set_driver(e, &keeping);
@@ -52,6 +63,7 @@ bool start_split(Entry& e) {
   // What the driver has compiled so far is the first part, under the program's own name: it stays reserved.
   part->name = list.name;
   list.split = split;
+  list.driver_part = part;
   return true;
 }
 
@@ -60,9 +72,6 @@ Part* add_part(Entry& e, Part::Kind kind) {
   e.list->kept = nullptr;
   return e.list->split->add(kind);
 }
-
-// The driver cannot close its list between the glBegin and glEnd that it executes (GL 2.1 section 5.4).
-bool executes_primitive(const Entry& e) { return e.list->mode == GL_COMPILE_AND_EXECUTE && e.inside; }
 
 // Parts of a list that is gone. Inside Begin/End they have to stay.
 void delete_parts(const Entry& e, SplitList* list) {
@@ -121,14 +130,15 @@ void end_list(Entry& e) {
   if (!e.list) return e.driver->EndList();
   ListCompile& list = *e.list;
   if (list.leading) open_driver_part(e);
+  if (executes_primitive(e)) return list.driver->EndList();  // an error: the list goes on
+  // What is called after a list depends on whether it leaves the driver between glBegin and glEnd.
+  if (!list.split && half_of(e) != Part::Half::kNone) start_split(e);
   if (!list.split) {
     e.driver->EndList();
-    if (executes_primitive(e)) return;  // an error: the list goes on
   } else {
     close_driver(e);
     execute_kept(e);
     set_driver(e, list.driver);
-    list.split->begins = e.inside;
   }
   SplitList* const split = list.split;
   const GLuint name = list.name;
@@ -138,6 +148,10 @@ void end_list(Entry& e) {
   if (ShareGroup* group = group_of(e)) delete_parts(e, group->put(name, split));
   // What was compiled has not happened.
   if (only_compiled) e.inside = false;
+}
+
+void note_unmatched_end(ListCompile& list) {
+  if (list.driver_open && !list.leading) list.unmatched_end = true;
 }
 
 KeptCalls* kept_calls(Entry& e) {
@@ -191,6 +205,9 @@ const Driver& open_driver_part(Entry& e) {
   const GLuint name = group_of(e)->hidden_name(*e.driver);
   Part* const part = name ? list.split->add(Part::Kind::kDriver) : nullptr;
   list.driver_open = true;
+  list.driver_part = part;
+  list.opened_inside = e.inside;
+  list.unmatched_end = false;
   if (!part) return *list.driver;
   part->name = name;
   e.driver->NewList(name, list.mode);

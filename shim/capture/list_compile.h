@@ -14,6 +14,9 @@ struct ListCompile {
   const GLenum mode;           // GL_COMPILE or GL_COMPILE_AND_EXECUTE
   SplitList* split = nullptr;  // null: all is in the driver's own list so far
   bool driver_open = true;     // the driver is compiling; else calls go to `keeping`
+  bool opened_inside = false;     // its part began between glBegin and glEnd
+  bool unmatched_end = false;     // and has a glEnd that no glBegin of the list goes before
+  Part* driver_part = nullptr;    // null: as long as the list is not split
   Part* kept = nullptr;        // the calls that are being kept, if the last part is such
   bool kept_primitive = false;    // a glBegin is among them
   bool kept_inside = false;       // a vertex or glEnd came before it
@@ -29,6 +32,9 @@ struct ListCompile {
 // The program's own calls; each makes the driver's call itself.
 void new_list(Entry& entry, GLuint list, GLenum mode);
 void end_list(Entry& entry);
+
+// glEnd outside of the list's own glBegin and glEnd.
+void note_unmatched_end(ListCompile& list);
 
 // For calls that are kept or not, while entry.list.
 

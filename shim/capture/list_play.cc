@@ -17,23 +17,6 @@ ShareGroup* group_of(const Entry& e) { return e.context ? e.context->group : nul
 
 void play(Entry& e, const SplitList& list);
 
-// Outside of compilation.
-void run(Entry& e, GLuint name) {
-  ShareGroup* const group = group_of(e);
-  if (group && group->is_hidden(name)) return;  // to the program there is no such list
-  SplitList* const list = group ? group->find(name) : nullptr;
-  if (!list) {
-    barrier(e);
-    return e.driver->CallList(name);
-  }
-  if (e.list_depth < kMaxNesting) {
-    ++e.list_depth;
-    play(e, *list);
-    --e.list_depth;
-  }
-  SplitList::release(list);
-}
-
 // A name among those of glCallLists, without the base (GL 2.1 section 5.4).
 GLuint name_at(GLenum type, const void* names, GLsizei i) {
   const auto* bytes = static_cast<const unsigned char*>(names);
@@ -62,21 +45,10 @@ GLuint name_at(GLenum type, const void* names, GLsizei i) {
 
 bool is_name_type(GLenum type) { return type >= GL_BYTE && type <= GL_4_BYTES; }
 
-void run_many(Entry& e, GLsizei count, GLenum type, const void* names) {
-  ShareGroup* const group = group_of(e);
-  if (!group || !group->any_split() || count <= 0 || !is_name_type(type)) {
-    barrier(e);
-    return e.driver->CallLists(count, type, names);
-  }
-  // Inside Begin/End it cannot be asked for; then it is what it was when it could.
-  if (!e.inside) {
-    GLint base = 0;
-    barrier(e);
-    e.driver->GetIntegerv(GL_LIST_BASE, &base);
-    e.context->list_base = GLuint(base);
-  }
-  const GLuint base = e.context->list_base;
-  for (GLsizei i = 0; i < count; ++i) run(e, base + name_at(type, names, i));
+// A list has left the driver between glBegin and glEnd, or has ended a primitive, perhaps one that was captured.
+void driver_is(Entry& e, bool inside) {
+  if (!inside) set_active(e, nullptr);
+  e.inside = inside;
 }
 
 void play(Entry& e, const SplitList& list) {
@@ -86,16 +58,49 @@ void play(Entry& e, const SplitList& list) {
         if (part->name == 0) break;
         barrier(e);
         e.driver->CallList(part->name);
+        if (part->half != Part::Half::kNone) driver_is(e, part->half == Part::Half::kBegins);
         break;
       case Part::Kind::kKept: play_kept(e, *part); break;
-      case Part::Kind::kCall: run(e, part->name); break;
-      case Part::Kind::kCallMany: run_many(e, GLsizei(part->name), part->type, part->names); break;
+      case Part::Kind::kCall: play_list(e, part->name); break;
+      case Part::Kind::kCallMany: play_lists(e, GLsizei(part->name), part->type, part->names); break;
     }
   }
-  if (list.begins) e.inside = true;
 }
 
 }  // namespace
+
+void play_list(Entry& e, GLuint name) {
+  ShareGroup* const group = group_of(e);
+  if (group && group->is_hidden(name)) return;  // to the program there is no such list
+  SplitList* const list = group ? group->find(name) : nullptr;
+  if (!list) {
+    barrier(e);
+    return e.driver->CallList(name);
+  }
+  if (e.list_depth < kMaxNesting) {
+    ++e.list_depth;
+    play(e, *list);
+    --e.list_depth;
+  }
+  SplitList::release(list);
+}
+
+void play_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
+  ShareGroup* const group = group_of(e);
+  if (!group || !group->any_split() || count <= 0 || !is_name_type(type)) {
+    barrier(e);
+    return e.driver->CallLists(count, type, names);
+  }
+  // Inside Begin/End it cannot be asked for; then it is what glListBase said, or what it was when it could be.
+  if (!e.inside) {
+    GLint base = 0;
+    barrier(e);
+    e.driver->GetIntegerv(GL_LIST_BASE, &base);
+    e.context->list_base = GLuint(base);
+  }
+  const GLuint base = e.context->list_base;
+  for (GLsizei i = 0; i < count; ++i) play_list(e, base + name_at(type, names, i));
+}
 
 void play_kept(Entry& e, const Part& part) {
   if (e.inside && part.opens) {
@@ -110,13 +115,13 @@ void play_kept(Entry& e, const Part& part) {
 }
 
 void call_list(Entry& e, GLuint name) {
-  if (!e.list) return run(e, name);
+  if (!e.list) return play_list(e, name);
   barrier(e);
   if (!compile_call(e, name)) e.dispatch->CallList(name);
 }
 
 void call_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
-  if (!e.list) return run_many(e, count, type, names);
+  if (!e.list) return play_lists(e, count, type, names);
   barrier(e);
   if (!compile_calls(e, count, type, names)) e.dispatch->CallLists(count, type, names);
 }
@@ -172,6 +177,11 @@ void lists_made(Entry& e, GLuint first, GLsizei count) {
   if (!group || count <= 0) return;
   group->note_name(first + GLuint(count) - 1);
   for (SplitList* list; (list = group->take(first, GLuint(count)));) SplitList::release(list);
+}
+
+void list_base(Entry& e, GLuint base) {
+  e.dispatch->ListBase(base);
+  if (e.context && !e.inside && (!e.list || e.list->mode == GL_COMPILE_AND_EXECUTE)) e.context->list_base = base;
 }
 
 bool list_answer(const Entry& e, GLenum name, GLint& answer) {

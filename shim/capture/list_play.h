@@ -8,6 +8,7 @@ namespace truequad {
 // The program's own calls; each makes the driver's calls itself.
 void call_list(Entry& entry, GLuint list);
 void call_lists(Entry& entry, GLsizei count, GLenum type, const void* lists);
+void list_base(Entry& entry, GLuint base);
 void delete_lists(Entry& entry, GLuint first, GLsizei count);
 GLuint gen_lists(Entry& entry, GLsizei count);
 GLboolean is_list(Entry& entry, GLuint list);
@@ -16,6 +17,10 @@ void lists_made(Entry& entry, GLuint first, GLsizei count);
 
 // What glGet answers to GL_LIST_INDEX and GL_LIST_MODE while a list is split; false: the driver's answer is right.
 bool list_answer(const Entry& entry, GLenum name, GLint& answer);
+
+// What glCallList and glCallLists do outside of compilation.
+void play_list(Entry& entry, GLuint list);
+void play_lists(Entry& entry, GLsizei count, GLenum type, const void* lists);
 
 // Makes the calls of a kept part.
 void play_kept(Entry& entry, const Part& part);

@@ -17,7 +17,11 @@ struct Part {
     kCall,       // glCallList
     kCallMany,   // glCallLists
   };
+  // What a list of the driver's leaves behind that has a glBegin or glEnd without the other.
+  enum class Half : std::uint8_t { kNone, kBegins, kEnds };
+
   Kind kind;
+  Half half = Half::kNone;
   GLuint name = 0;     // of the driver's (0: nothing) or the called list; kCallMany: their count
   GLenum type = 0;     // kCallMany: of the names, which are in `names`
   unsigned char* names = nullptr;
@@ -33,7 +37,6 @@ struct SplitList {
   const GLuint name;
   Part* first = nullptr;
   Part** end = &first;
-  bool begins = false;  // ends between glBegin and glEnd
   std::atomic<int> users{1};
   SplitList* next = nullptr;  // in its bucket
 

@@ -25,6 +25,7 @@ TRUEQUAD_DOOR void GLAPIENTRY glCallList(GLuint list) { truequad::call_list(true
 TRUEQUAD_DOOR void GLAPIENTRY glCallLists(GLsizei count, GLenum type, const void* lists) {
   truequad::call_lists(truequad::entry, count, type, lists);
 }
+TRUEQUAD_DOOR void GLAPIENTRY glListBase(GLuint base) { truequad::list_base(truequad::entry, base); }
 TRUEQUAD_DOOR void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
   truequad::delete_lists(truequad::entry, list, range);
 }

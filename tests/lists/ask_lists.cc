@@ -152,6 +152,36 @@ void session() {
   glCallList(52);
   glCallList(53);
   say("both halves");
+  // Between the glBegin and glEnd of a list nothing can be asked of the driver, whoever made the glBegin.
+  const GLuint called[] = {50, 51};
+  glNewList(54, GL_COMPILE);
+  glBegin(GL_POINTS);
+  glCallLists(2, GL_UNSIGNED_INT, called);
+  glEnd();
+  glEndList();
+  glCallList(54);
+  say("lists in a primitive of a list");
+  glNewList(55, GL_COMPILE);
+  glBegin(GL_POINTS);
+  glEndList();
+  glNewList(56, GL_COMPILE);
+  glEnd();
+  glEndList();
+  glCallList(55);
+  glCallLists(2, GL_UNSIGNED_INT, called);
+  glCallList(56);
+  say("lists between halves");
+  glBegin(GL_POINTS);
+  glCallList(56);
+  say("ended by a list");
+  glBegin(GL_QUADS);
+  glCallList(56);
+  say("quads ended by a list");
+  glListBase(40);
+  const GLubyte offsets[] = {10, 11};
+  glCallLists(2, GL_UNSIGNED_BYTE, offsets);
+  glListBase(0);
+  say("lists by a base after that");
   quad();
   say("end");
 }

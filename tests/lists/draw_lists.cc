@@ -257,6 +257,23 @@ const std::map<std::string, Way>& ways() {
            glEnd();
          }
        }},
+      {"inside_begin_by_base",
+       [](const Scene& s) {
+         for (const Primitive& p : s.primitives) {
+           std::vector<GLubyte> names;
+           for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+             glNewList(2000 + GLuint(i), GL_COMPILE);
+             vertex(p.vertices[i]);
+             glEndList();
+             names.push_back(GLubyte(i));
+           }
+           glListBase(2000);
+           glBegin(kModes[int(p.mode)]);
+           glCallLists(GLsizei(names.size()), GL_UNSIGNED_BYTE, names.data());
+           glEnd();
+           glListBase(0);
+         }
+       }},
       {"among_others",
        [](const Scene& s) {
          glNewList(9, GL_COMPILE);

@@ -44,9 +44,9 @@ void write_command(const Command& command, std::ostream& out) {
 // The doors of these are written by hand.
 bool has_own_door(const std::string& name) {
   static const std::set<std::string> names = {
-      "Begin",       "CallList",    "CallLists",   "Clear",     "DeleteLists",      "DepthFunc",
-      "End",         "EndList",     "GenLists",    "GetBooleanv", "GetDoublev",     "GetFloatv",
-      "GetIntegerv", "IsList",      "NewList",     "StencilOp", "StencilOpSeparate"};
+      "Begin",       "CallList", "CallLists", "Clear",       "DeleteLists", "DepthFunc",
+      "End",         "EndList",  "GenLists",  "GetBooleanv", "GetDoublev",  "GetFloatv",
+      "GetIntegerv", "IsList",   "ListBase",  "NewList",     "StencilOp",   "StencilOpSeparate"};
   return names.contains(name);
 }
 
