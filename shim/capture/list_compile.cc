@@ -33,6 +33,7 @@ void outside_list(Entry& e, F f) {
 
 // The driver cannot close its list between the glBegin and glEnd that it executes (GL 2.1 section 5.4).
 bool executes_primitive(const Entry& e) { return e.list->mode == GL_COMPILE_AND_EXECUTE && e.inside; }
+bool driver_executes_primitive(const Entry& e) { return e.list->driver_open && executes_primitive(e); }
 
 // Of what the driver has compiled in this part.
 Part::Half half_of(const Entry& e) {
@@ -125,6 +126,25 @@ void keep_leading(Entry& e) {
   list.kept_primitive = list.kept_inside = false;
 }
 
+namespace {
+
+// A list that is kept whole and has nothing but vertices and attributes is the driver's as well, for calls of it that only
+// the driver can compile (compile_call).
+void give_whole(Entry& e) {
+  ListCompile& list = *e.list;
+  SplitList& split = *list.split;
+  const Part* const kept = split.first->next;
+  if (split.first->name != 0 || !kept || kept->next || kept != list.kept || list.kept_primitive) return;
+  outside_list(e, [&] {
+    e.driver->NewList(list.name, GL_COMPILE);
+    kept->kept.play(e);
+    e.driver->EndList();
+  });
+  split.whole = true;
+}
+
+}  // namespace
+
 void end_list(Entry& e) {
   barrier(e);
   if (!e.list) return e.driver->EndList();
@@ -138,6 +158,7 @@ void end_list(Entry& e) {
   } else {
     close_driver(e);
     execute_kept(e);
+    give_whole(e);
     set_driver(e, list.driver);
   }
   SplitList* const split = list.split;
@@ -217,14 +238,19 @@ const Driver& open_driver_part(Entry& e) {
 const Driver* real_driver(const Entry& e) { return e.list ? e.list->driver : e.driver; }
 
 bool end_driver_part(Entry& e) {
-  if (executes_primitive(e) || !start_split(e)) return false;
+  if (driver_executes_primitive(e) || !start_split(e)) return false;
   close_driver(e);
   return true;
 }
 
 bool compile_call(Entry& e, GLuint name) {
   if (e.list->leading) open_driver_part(e);
-  if (executes_primitive(e) || !end_driver_part(e)) return false;
+  if (driver_executes_primitive(e)) {
+    // Into the list that the driver compiles.
+    play_list(e, name);
+    return true;
+  }
+  if (!end_driver_part(e)) return false;
   Part* const part = add_part(e, Part::Kind::kCall);
   if (!part) return false;
   part->name = name;
@@ -234,8 +260,12 @@ bool compile_call(Entry& e, GLuint name) {
 
 bool compile_calls(Entry& e, GLsizei count, GLenum type, const void* names) {
   const unsigned size = name_size(type);
-  if (!size || count <= 0 || executes_primitive(e)) return false;
+  if (!size || count <= 0) return false;
   if (e.list->leading) open_driver_part(e);
+  if (driver_executes_primitive(e)) {
+    play_lists(e, count, type, names);
+    return true;
+  }
   unsigned char* const copy = static_cast<unsigned char*>(std::malloc(std::size_t(count) * size));
   Part* const part = copy && end_driver_part(e) ? add_part(e, Part::Kind::kCallMany) : nullptr;
   if (!part) {

@@ -52,7 +52,8 @@ const Driver* real_driver(const Entry& entry);
 // The driver's part ends here; what follows is kept. The driver must be outside Begin/End, unless in GL_COMPILE. False
 // without memory: then nothing has changed.
 bool end_driver_part(Entry& entry);
-// glCallList or glCallLists becomes a part. False: not possible here, so that the driver has to compile it.
+// glCallList or glCallLists becomes a part. Between the glBegin and glEnd that the driver executes it cannot; there the
+// driver gets the calls of the list that is called. False without memory: the driver has to compile the call itself.
 bool compile_call(Entry& entry, GLuint list);
 bool compile_calls(Entry& entry, GLsizei count, GLenum type, const void* lists);
 

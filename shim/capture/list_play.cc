@@ -73,7 +73,8 @@ void play_list(Entry& e, GLuint name) {
   ShareGroup* const group = group_of(e);
   if (group && group->is_hidden(name)) return;  // to the program there is no such list
   SplitList* const list = group ? group->find(name) : nullptr;
-  if (!list) {
+  if (!list || (e.list && list->whole)) {
+    SplitList::release(list);
     barrier(e);
     return e.driver->CallList(name);
   }

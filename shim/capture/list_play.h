@@ -18,7 +18,7 @@ void lists_made(Entry& entry, GLuint first, GLsizei count);
 // What glGet answers to GL_LIST_INDEX and GL_LIST_MODE while a list is split; false: the driver's answer is right.
 bool list_answer(const Entry& entry, GLenum name, GLint& answer);
 
-// What glCallList and glCallLists do outside of compilation.
+// What glCallList and glCallLists do outside of compilation; for lists that are compiled: into the driver's own list.
 void play_list(Entry& entry, GLuint list);
 void play_lists(Entry& entry, GLsizei count, GLenum type, const void* lists);
 

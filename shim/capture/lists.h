@@ -37,6 +37,7 @@ struct SplitList {
   const GLuint name;
   Part* first = nullptr;
   Part** end = &first;
+  bool whole = false;  // the driver has all of it as well, under the program's own name
   std::atomic<int> users{1};
   SplitList* next = nullptr;  // in its bucket
 

@@ -101,6 +101,34 @@ void call_as(GLenum type, GLuint base, GLuint name) {
   glListBase(0);
 }
 
+// Lists of vertices, called in the primitive of a list that is executed while it is compiled, and called again: both
+// pictures are seen, the second one a little lower.
+void inside_executed_begin(const Scene& scene, bool many) {
+  for (const Primitive& p : scene.primitives) {
+    std::vector<GLuint> names;
+    for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+      names.push_back(20 + GLuint(i));
+      glNewList(names.back(), GL_COMPILE);
+      vertex(p.vertices[i]);
+      glEndList();
+    }
+    glNewList(10, GL_COMPILE_AND_EXECUTE);
+    glBegin(kModes[int(p.mode)]);
+    if (many) glCallLists(GLsizei(names.size()), GL_UNSIGNED_INT, names.data());
+    else for (GLuint name : names) glCallList(name);
+    glEnd();
+    glEndList();
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glLoadIdentity();
+    glTranslatef(0, -0.25f, 0);
+    glMultMatrixf(scene.projection.data());
+    glCallList(10);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
+  }
+}
+
 using Way = void (*)(const Scene&);
 
 const std::map<std::string, Way>& ways() {
@@ -274,6 +302,8 @@ const std::map<std::string, Way>& ways() {
            glListBase(0);
          }
        }},
+      {"inside_executed_begin", [](const Scene& s) { inside_executed_begin(s, false); }},
+      {"inside_executed_begin_many", [](const Scene& s) { inside_executed_begin(s, true); }},
       {"among_others",
        [](const Scene& s) {
          glNewList(9, GL_COMPILE);

@@ -77,6 +77,17 @@ TEST_P(Ways, LeaveAffineQuadsToTheDriver) {
 INSTANTIATE_TEST_SUITE_P(Lists, Ways, testing::ValuesIn(kWays),
                          [](const auto& info) { return std::string(info.param.name); });
 
+// The driver compiles such a primitive, so it is drawn as without truequad; no vertex is lost.
+TEST(Lists, InAPrimitiveThatIsExecutedDrawWhatTheDriverDraws) {
+  for (const char* way : {"inside_executed_begin", "inside_executed_begin_many"}) {
+    for (const char* family : {"affine", "trapezoid", "strip"}) {
+      SCOPED_TRACE(std::string(way) + " " + family);
+      const Drawn native = draw(family, way, false), ours = draw(family, way, true);
+      EXPECT_TRUE(ours.pictures == native.pictures);
+    }
+  }
+}
+
 TEST(Lists, ADeletedListDrawsNothing) {
   for (const char* family : {"trapezoid", "affine"}) {
     const Drawn native = draw(family, "deleted_inner", false), ours = draw(family, "deleted_inner", true);
