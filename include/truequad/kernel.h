@@ -26,6 +26,11 @@ using Corners = std::array<Vec4, 4>;
 
 // Texture coordinate sets (texture units) that one quad may have.
 inline constexpr std::size_t kMaxTextureSets = 8;
+// One colour component (or a fog coordinate) at the corners A B C D, in steps: 255 from black to full intensity.
+using ColourChannel = std::array<double, 4>;
+// Channels that one quad may have: primary and secondary colours of both sides, a fog coordinate.
+inline constexpr std::size_t kMaxColourChannels = 16;
+
 // Grid lines that a plan can hold along one direction, both ends included.
 inline constexpr std::size_t kMaxLines = 1024;
 // The largest value that Limits::max_triangles may have.
@@ -75,6 +80,7 @@ struct PaperThresholds {
 
 struct Limits {
   double tolerance_px = 0.25;  // largest displacement of a texel, pixels of the viewport
+  double colour_steps = 0.5;   // largest error of a colour channel, steps of 1/255
   int max_triangles = 4096;    // cap for one quad, 4 .. kMaxTriangles
   PaperThresholds paper;
 };
@@ -115,7 +121,10 @@ struct Plan {
   // a rasteriser draws it as View describes.
   // Infinite where nothing can be promised (then `capped` is set).
   double bound_px = 0;
-  // bound_px > tolerance: the cap was hit, the texture map cannot be inverted, or triangles that are too thin for the
+  // The same for colours: no channel that was given differs by more steps from its exact value at the same place of the
+  // screen, before it is rounded to what the buffer holds. 0 where none has a kink that the action could mend.
+  double bound_steps = 0;
+  // bound_px or bound_steps > tolerance: the cap was hit, the texture map cannot be inverted, or triangles that are too thin for the
   // rasteriser's arithmetic cannot be avoided.
   bool capped = false;
   int triangles = 2;    // that the action draws
@@ -131,15 +140,17 @@ struct Plan {
 };
 
 // Decides what to draw. textures: the sets that matter (enabled and varying), at most kMaxTextureSets; further ones
-// are ignored. `out` is large (about 150 KiB): keep one per thread.
+// are ignored. colours: what is interpolated besides, in at most kMaxColourChannels channels; none: only textures are
+// corrected. Mode::kPaper knows no colours, and projective texture coordinates do not mend them.
+// `out` is large (about 150 KiB): keep one per thread.
 // Never fails: any input, NaN and singular matrices included, has a defined plan.
 void plan(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
-          Mode mode, Plan& out);
+          Mode mode, Plan& out, std::span<const ColourChannel> colours = {});
 
 // What the mesh of a plan with Action::kMesh, made for this position and view but other texture coordinates, promises for
-// these: sets bound_px and capped. For later passes over the same vertices, whose depths agree only if the triangles do.
+// these: sets bound_px, bound_steps and capped. For later passes over the same vertices, whose depths agree only if the triangles do.
 void bound_mesh(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
-                Plan& mesh);
+                Plan& mesh, std::span<const ColourChannel> colours = {});
 
 // A vertex of a mesh: its place in the parameter square.
 struct Param {

@@ -236,7 +236,8 @@ void set_fan(Plan& plan, double bound) {
 // Looks for the smallest block that keeps the budget. Sets lines, triangles and bound_px; returns false if
 // not even the smallest block fits under the cap.
 bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
-  const int cap = model.folded ? std::min(budget.max_triangles, kFoldedTriangles) : budget.max_triangles;
+  const bool folded = model.folded || model.colours.folded;
+  const int cap = folded ? std::min(budget.max_triangles, kFoldedTriangles) : budget.max_triangles;
   if (cap < kSmallestBlock) return false;
   Densities densities;
   fit_densities(model, densities);
@@ -282,7 +283,7 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
     // Sides first: they are few triangles, and the insets that they ask for change the block.
     Verdict verdict;
     verify_sides(model, exact, plan, aim_px, verdict);
-    const bool insets_changed = correct_insets(verdict, model.folded, aim_px, shrink);
+    const bool insets_changed = correct_insets(verdict, folded, aim_px, shrink);
     if (insets_changed && ++side_rounds <= kMaxSideRounds) continue;
     verify_block(model, exact, plan, aim_px, verdict);
     work += triangles;
@@ -293,7 +294,7 @@ bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
       best_lines_px = lines_px;
       best_inset = inset;
     }
-    const double block = model.folded ? verdict.finite_block : verdict.block;
+    const double block = folded ? verdict.finite_block : verdict.block;
     const bool correct_lines = block > aim_px && !at_cap;
     if (correct_lines) {
       // Slivers, which occur where the quad's picture folds, are no matter of size: other lines have others.

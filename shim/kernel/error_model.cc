@@ -149,6 +149,7 @@ double largest_product(const std::array<Corner, 3>& c) {
 // What holds for every part of one triangle.
 struct Whole {
   std::array<double, kMaxMaps> own;  // its determinants (docs/design.md: det M)
+  Param own_place;                   // where the quad's own are those
   SnapMargin margin;
 };
 
@@ -157,6 +158,8 @@ double middle_setup(const Corner& p, const Corner& q) {
   if (!(p.p.w > 0) || !(q.p.w > 0) || p.setup_px == q.setup_px) return std::max(p.setup_px, q.setup_px);
   return (p.setup_px * p.p.w + q.setup_px * q.p.w) / (p.p.w + q.p.w);
 }
+
+double margin_step_px(const ErrorModel& model) { return model.rasteriser.exact() ? 0 : model.rasteriser.step_px(); }
 
 double part_bound(const ErrorModel& model, const Whole& whole, const std::array<Corner, 3>& c, double limit_px,
                   int depth) {
@@ -171,6 +174,11 @@ double part_bound(const ErrorModel& model, const Whole& whole, const std::array<
     const double jacobian = least_jacobian(map, c, whole.own[i]) - std::fabs(map.of_u) * margin.u -
                             std::fabs(map.of_v) * margin.v;
     bound = std::max(bound, displacement(map, error, jacobian, visible.part.points(), margin.w));
+  }
+  if (model.colours.count > 0) {
+    const std::array<Param, 3> corner{Param{c[0].u, c[0].v}, Param{c[1].u, c[1].v}, Param{c[2].u, c[2].v}};
+    bound = std::max(bound, colour_px(model.colours, model.screen, {error, corner, whole.own_place, visible.part.points(),
+                                                                    margin, margin_step_px(model)}));
   }
   bound += std::max({c[0].setup_px, c[1].setup_px, c[2].setup_px});
   if (bound <= limit_px || depth == 0) return bound;
@@ -208,24 +216,14 @@ std::array<double, 3> setup_at(const Rasteriser& rasteriser, const std::array<Sc
                     t_drawn);
   }
   const BarycentricWeights weights({c[0], c[1], c[2]});
-  std::array<SetupVertex, 9> vertex;
-  for (int k = 0; k < part.count; ++k) {
-    const glm::dvec3 b = weights.at(part.point[k]);
-    vertex[k] = vertex_at(part.point[k], b[0] * texture[0] + b[1] * texture[1] + b[2] * texture[2]);
+  std::array<int, 3> largest;
+  if (!largest_triangle(part.points(), largest)) return {};
+  std::array<SetupVertex, 3> best;
+  for (int i = 0; i < 3; ++i) {
+    const ScreenPoint& p = part.point[largest[i]];
+    const glm::dvec3 b = weights.at(p);
+    best[i] = vertex_at(p, b[0] * texture[0] + b[1] * texture[1] + b[2] * texture[2]);
   }
-  // The largest of the triangles that clipping can make of it.
-  double largest = -1;
-  std::array<SetupVertex, 3> best{};
-  for (int i = 0; i < part.count; ++i) {
-    for (int j = i + 1; j < part.count; ++j) {
-      for (int k = j + 1; k < part.count; ++k) {
-        const SetupVertex &p = vertex[i], &q = vertex[j], &r = vertex[k];
-        const double area = std::fabs((q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y));
-        if (area > largest) largest = area, best = {p, q, r};
-      }
-    }
-  }
-  if (largest < 0) return {};
   const auto px = setup_px(rasteriser, best, t_drawn);
   const double most = std::max({px[0], px[1], px[2]});
   return {most, most, most};
@@ -277,6 +275,7 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
   const double f1 = b.u * b.v - a.u * a.v, f2 = c.u * c.v - a.u * a.v;
   const double gradient_u = (f1 * v2 - f2 * v1) / area, gradient_v = (u1 * f2 - u2 * f1) / area;
   Whole whole;
+  whole.own_place = {gradient_v, gradient_u};
   for (std::size_t i = 0; i < model.map_count; ++i)
     whole.own[i] = model.map[i].jacobian(gradient_v, gradient_u);
   std::array<double, 3> setup{};
@@ -294,6 +293,10 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
                                visible.clipped);
       for (int i = 0; i < 3; ++i) setup[i] = std::max(setup[i], px[i]);
     }
+    if (model.colours.count > 0) {
+      const auto px = colour_setup_px(model.colours, model.rasteriser, {a, b, c}, visible.part, visible.clipped);
+      for (int i = 0; i < 3; ++i) setup[i] = std::max(setup[i], px[i]);
+    }
   }
   const std::array<Corner, 3> corner{Corner{a.u, a.v, 0, a.p, setup[0]}, Corner{b.u, b.v, 0, b.p, setup[1]},
                                      Corner{c.u, c.v, 0, c.p, setup[2]}};
@@ -304,18 +307,20 @@ double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoi
 
 namespace {
 
-// The four triangles of a visible rectangle together: their own determinants are those of edge midpoints, within the
-// corners' range.
+// The four triangles of a visible rectangle together: their own determinants are those of points of its sides, within
+// the corners' range.
 double whole_cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>& corner, const MeshPoint& centre) {
   const ScreenPoint points[4] = {corner[0].p, corner[1].p, corner[2].p, corner[3].p};
-  const double error = (corner[1].u - corner[0].u) * (corner[3].v - corner[0].v) / 16;
+  // The outer sides are axis-parallel. Next to a side of the quad without length the centre is not in the middle.
+  double error = 0;
+  for (const MeshPoint& c : corner) error = std::max(error, std::fabs((c.u - centre.u) * (c.v - centre.v)) / 4);
   SnapMargin margin;
   if (!model.rasteriser.exact()) {
     for (int i = 0; i < 4; ++i) {
-      // Along the outer side uv has the gradient of its middle.
+      // Along a side of constant v, uv has the gradient (v, u of the centre).
       const MeshPoint &a = corner[i], &b = corner[(i + 1) % 4];
-      margin.include(
-          snap_margin(model.rasteriser, {a, b, centre}, (a.v + b.v) / 2, (a.u + b.u) / 2));
+      margin.include(snap_margin(model.rasteriser, {a, b, centre}, i % 2 == 0 ? a.v : centre.v,
+                                 i % 2 == 0 ? centre.u : a.u));
     }
   }
   double bound = 0;
@@ -338,6 +343,18 @@ double whole_cell_bound(const ErrorModel& model, const std::array<MeshPoint, 4>&
       map_px += setup;
     }
     bound = std::max(bound, map_px);
+  }
+  if (model.colours.count > 0) {
+    std::array<Param, 4> place;
+    for (int i = 0; i < 4; ++i) place[i] = {corner[i].u, corner[i].v};
+    double colour = colour_px(model.colours, model.screen,
+                              {error + margin.error, place, place[0], points, margin, margin_step_px(model)});
+    double setup = 0;
+    for (int i = 0; i < 4; ++i) {
+      const auto px = colour_setup_px(model.colours, model.rasteriser, {corner[i], corner[(i + 1) % 4], centre}, {}, false);
+      setup = std::max({setup, px[0], px[1], px[2]});
+    }
+    bound = std::max(bound, colour + setup);
   }
   return bound;
 }

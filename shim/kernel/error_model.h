@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "colour.h"
 #include "rasteriser.h"
 #include "screen.h"
 #include "truequad/kernel.h"
@@ -40,6 +41,7 @@ struct ErrorModel {
   Rasteriser rasteriser;
   std::array<TextureMap, kMaxMaps> map;
   std::size_t map_count = 0;
+  ColourModel colours;
   // The determinant of some map changes sign or vanishes in the unit square: there it has no inverse.
   bool folded = false;
 
@@ -55,7 +57,7 @@ MeshPoint mesh_point(const ErrorModel& model, double u, double v);
 
 // Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact
 // place, what the rasteriser adds included but for the allowance of snapping itself; 0 if nothing of it is inside. Infinite if no bound
-// is known. If the plain bound exceeds `limit_px`, up to `depth` halvings of the triangle look for a tighter one
+// is known. Colours count by ColourModel::px_per_step. If the plain bound exceeds `limit_px`, up to `depth` halvings of the triangle look for a tighter one
 // that does not; the result is then below or at the limit, or the plain bound. With kTightest as limit it is the
 // tightest that `depth` halvings give.
 inline constexpr double kTightest = -1;

@@ -76,7 +76,9 @@ class Sampler {
       const double jacobian = std::max({low, -high, floor_[i]});
       if (jacobian > 0) largest = std::max(largest, local_error(map, jacobian, points, w_floor_));
     }
-    return largest;
+    if (model_.colours.count == 0) return largest;
+    const std::array<Param, 4> corner{Param{u0, v0}, Param{u1, v0}, Param{u1, v1}, Param{u0, v1}};
+    return std::max(largest, colour_density(model_.colours, corner, points, w_floor_, kFoldFloor));
   }
 
   const ErrorModel& model_;

@@ -21,6 +21,33 @@ void pass(Plan& out, PassReason reason) {
   out.triangles = 2;
 }
 
+PassReason reason_of(Shape shape) { return shape == Shape::kAffine ? PassReason::kAffine : PassReason::kConstant; }
+
+// False if no channel is warped.
+bool add_colours(const Corners& position, std::span<const ColourChannel> colours, const Budget& budget, ErrorModel& model) {
+  model.colours.count = 0;
+  if (colours.empty() || !kernel::add_colours(position, colours, model.screen, model.colours)) return false;
+  model.colours.px_per_step = budget.mesh_px / budget.colour_steps;
+  model.colours.snap_px = budget.snap_px;
+  return true;
+}
+
+// Texels and colours were bound together, if at all; says what each is promised.
+void tell_apart(const ErrorModel& model, const Budget& budget, Plan& plan) {
+  double texture_px = plan.bound_px - budget.snap_px, colour_px = texture_px;
+  if (plan.action == Action::kMesh && (texture_px > budget.mesh_px || model.colours.folded)) {
+    ErrorModel one = model;
+    one.map_count = 0;
+    colour_px = kernel::block_bound(one, budget, plan);
+    one.map_count = model.map_count;
+    one.colours.count = 0;
+    texture_px = kernel::block_bound(one, budget, plan);
+  }
+  plan.bound_px = model.map_count > 0 ? texture_px + budget.snap_px : 0;
+  plan.bound_steps = colour_px / model.colours.px_per_step;
+  plan.capped = !(plan.bound_px <= budget.tolerance_px) || !(plan.bound_steps <= budget.colour_steps);
+}
+
 bool finite(const View& view) {
   const Viewport& v = view.viewport;
   double sum = std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.width) + std::fabs(v.height);
@@ -41,6 +68,7 @@ Budget kernel::make_budget(const Limits& limits, const View& view) {
   // A tolerance of the order of the rasteriser's own grid leaves half of it to the mesh; the bound says the
   // rest.
   budget.mesh_px = std::max(budget.tolerance_px - budget.snap_px, budget.tolerance_px / 2);
+  budget.colour_steps = positive(limits.colour_steps, defaults.colour_steps, 1e-3, 255);
   budget.max_triangles = std::clamp(limits.max_triangles, 4, kMaxTriangles);
   budget.paper.object = positive(limits.paper.object, defaults.paper.object, 0, 2);
   budget.paper.texture = positive(limits.paper.texture, defaults.paper.texture, 0, 2);
@@ -49,10 +77,10 @@ Budget kernel::make_budget(const Limits& limits, const View& view) {
 }
 
 void plan(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
-          Mode mode, Plan& out) {
+          Mode mode, Plan& out, std::span<const ColourChannel> colours) {
   out.action = Action::kPass;
   out.reason = PassReason::kNone;
-  out.bound_px = 0;
+  out.bound_px = out.bound_steps = 0;
   out.capped = false;
   out.triangles = 2;
   out.u.count = out.v.count = 0;
@@ -61,11 +89,15 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
 
   textures = textures.first(std::min(textures.size(), kMaxTextureSets));
   if (mode == Mode::kOff) return pass(out, PassReason::kModeOff);
-  switch (classify(position, textures)) {
+  if (mode == Mode::kPaper) colours = {};
+  const Shape shape = classify(position, textures);
+  switch (shape) {
     case Shape::kAffine:
-      return pass(out, PassReason::kAffine);
     case Shape::kConstant:
-      return pass(out, PassReason::kConstant);
+      // Exact in any mesh.
+      textures = {};
+      if (!colours.empty()) break;
+      return pass(out, reason_of(shape));
     case Shape::kDegenerate:
       return pass(out, PassReason::kDegenerate);
     case Shape::kNotFinite:
@@ -78,11 +110,12 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
 
   ErrorModel model;
   if (!kernel::make_screen_quad(position, view, model.screen)) return pass(out, PassReason::kNotFinite);
+  const Budget budget = kernel::make_budget(limits, view);
+  if (!add_colours(position, colours, budget, model) && shape != Shape::kWarped) return pass(out, reason_of(shape));
   if (model.screen.invisible()) return pass(out, PassReason::kInvisible);
   model.rasteriser = kernel::make_rasteriser(view);
-  const Budget budget = kernel::make_budget(limits, view);
 
-  if (mode == Mode::kProjective || mode == Mode::kAuto) {
+  if (!textures.empty() && (mode == Mode::kProjective || mode == Mode::kAuto)) {
     double spread;
     if (kernel::plan_projective(position, textures, model, budget, out, spread) &&
         (mode == Mode::kProjective || spread <= kAutoSpread)) {
@@ -92,14 +125,23 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
   }
   if (!kernel::add_texture_maps(position, textures, model)) return pass(out, PassReason::kOwnQ);
   if (mode == Mode::kPaper) return kernel::plan_paper(position, textures, model, budget, out);
+  // Where colours have no promise they may not cost the texture its own.
+  const std::size_t channels = model.colours.count;
+  if (channels > 0 && model.colours.folded && model.map_count > 0) model.colours.count = 0;
   kernel::plan_bilinear(model, budget, out);
+  if (channels == 0) return;
+  if (model.colours.count == 0) {
+    model.colours.count = channels;
+    if (out.action == Action::kPass) kernel::plan_bilinear(model, budget, out);
+  }
+  tell_apart(model, budget, out);
 }
 
 void bound_mesh(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
-                Plan& mesh) {
+                Plan& mesh, std::span<const ColourChannel> colours) {
   textures = textures.first(std::min(textures.size(), kMaxTextureSets));
   const Budget budget = kernel::make_budget(limits, view);
-  mesh.bound_px = 0;
+  mesh.bound_px = mesh.bound_steps = 0;
   if (classify(position, textures) == Shape::kWarped) {
     ErrorModel model;
     model.rasteriser = kernel::make_rasteriser(view);
@@ -110,7 +152,14 @@ void bound_mesh(const Corners& position, std::span<const Corners> textures, cons
                                           : kernel::block_bound(model, budget, mesh);
   }
   mesh.bound_px += budget.snap_px;
-  mesh.capped = !(mesh.bound_px <= budget.tolerance_px);
+  if (!colours.empty() && mesh.leaf_count == 0) {
+    ErrorModel model;
+    model.rasteriser = kernel::make_rasteriser(view);
+    if (kernel::make_screen_quad(position, view, model.screen) && add_colours(position, colours, budget, model)) {
+      mesh.bound_steps = kernel::block_bound(model, budget, mesh) / model.colours.px_per_step;
+    }
+  }
+  mesh.capped = !(mesh.bound_px <= budget.tolerance_px) || !(mesh.bound_steps <= budget.colour_steps);
 }
 
 }  // namespace truequad

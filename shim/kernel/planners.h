@@ -12,7 +12,7 @@ namespace truequad::kernel {
 // Limits in their valid range, with the part of the tolerance that is left to the mesh once the rasteriser
 // has snapped its vertices.
 struct Budget {
-  double tolerance_px, snap_px, mesh_px;
+  double tolerance_px, snap_px, mesh_px, colour_steps;
   int max_triangles;
   PaperThresholds paper;
 };

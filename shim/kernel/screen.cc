@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace truequad::kernel {
 namespace {
@@ -103,6 +104,22 @@ void clip_triangle(const ScreenQuad& quad, const ScreenPoint& a, const ScreenPoi
       from_inside = to_inside;
     }
   }
+}
+
+bool largest_triangle(std::span<const ScreenPoint> points, std::array<int, 3>& out) {
+  const auto at = [&](int i) { return glm::dvec2(points[i].x / points[i].w, points[i].y / points[i].w); };
+  const int count = int(points.size());
+  double largest = -1;
+  for (int i = 0; i < count; ++i) {
+    for (int j = i + 1; j < count; ++j) {
+      for (int k = j + 1; k < count; ++k) {
+        const glm::dvec2 p = at(j) - at(i), q = at(k) - at(i);
+        const double area = std::fabs(p.x * q.y - p.y * q.x);
+        if (area > largest) largest = area, out = {i, j, k};
+      }
+    }
+  }
+  return largest >= 0;
 }
 
 }  // namespace truequad::kernel

@@ -67,4 +67,7 @@ struct VisiblePart {
 void clip_triangle(const ScreenQuad& quad, const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
                    unsigned planes, VisiblePart& part);
 
+// The three of these points that span the largest triangle on the screen; false if there are fewer.
+bool largest_triangle(std::span<const ScreenPoint> points, std::array<int, 3>& out);
+
 }  // namespace truequad::kernel

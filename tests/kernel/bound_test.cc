@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "error_model.h"
 #include "measure.h"
 
 namespace truequad::test {
@@ -57,6 +58,32 @@ TEST_P(Promise, HoldsAtEveryMeasuredPoint) {
     EXPECT_GE(finite, meshes * 0.99);
     EXPECT_GE(within, meshes * 0.8);
     EXPECT_GT(tightest, 0.9);
+  }
+}
+
+// Next to a side of the quad without length a cell's centre is not in its middle.
+TEST(Cell, IsNoBetterThanItsTrianglesWhereverItsCentreIs) {
+  for (unsigned trial = 0; trial < 2000; ++trial) {
+    const Quad quad = random_quad(trial % 2 ? Kind::kConvex : Kind::kNonPlanar, trial);
+    kernel::ErrorModel model;
+    ASSERT_TRUE(kernel::make_screen_quad(quad.position, quad.view, model.screen));
+    ASSERT_TRUE(kernel::add_texture_maps(quad.position, {&quad.texture, 1}, model));
+    std::mt19937 engine(trial);
+    std::uniform_real_distribution<double> unit(0.05, 0.95);
+    const auto [u0, u1] = std::minmax({unit(engine), unit(engine)});
+    const auto [v0, v1] = std::minmax({unit(engine), unit(engine)});
+    const std::array<kernel::MeshPoint, 4> corner{mesh_point(model, u0, v0), mesh_point(model, u1, v0),
+                                                  mesh_point(model, u1, v1), mesh_point(model, u0, v1)};
+    const kernel::MeshPoint centre =
+        mesh_point(model, u0 + (u1 - u0) * unit(engine), v0 + (v1 - v0) * unit(engine));
+    double worst = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Mesh mesh{{{corner[i].u, corner[i].v}, {corner[(i + 1) % 4].u, corner[(i + 1) % 4].v}, {centre.u, centre.v}},
+                      {{0, 1, 2}}};
+      worst = std::max(worst, measure(quad, mesh, 12, trial).largest_px);
+    }
+    const double bound = cell_bound(model, corner, centre, 1e9);
+    ASSERT_LE(worst, bound + 1e-9 * quad.view.viewport.width) << "trial " << trial;
   }
 }
 
