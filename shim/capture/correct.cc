@@ -99,13 +99,13 @@ bool gives_own_q(const PlannedFor& sets) {
 
 Limits limits_of(const Capture& c) {
   Limits limits;
-  limits.tolerance_px = c.options->tolerance_px;
+  limits.tolerance_px = c.settings.tolerance_px;
   limits.max_triangles = Scratch::kTriangleCap;
   return limits;
 }
 
 void plan_for(Capture& c, const Quad& quad, const PlannedFor& sets) {
-  plan(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.options->mode, c.scratch->plan);
+  plan(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.settings.mode, c.scratch->plan);
 }
 
 // What nothing but the quad itself and its texture units decides.

@@ -4,10 +4,7 @@
 // correction, the driver's Begin is cut: "if a quad is begun but not completed, the extra vertices are ignored"
 // (GL 2.1 section 2.6.1), so glEnd drops exactly the vertices that we still have. Held: nothing is forwarded until a
 // quad turns out not to need correction.
-#include <pthread.h>
-
 #include <cstring>
-#include <new>
 
 #include "capture/capture.h"
 #include "capture/correct.h"
@@ -250,35 +247,13 @@ bool leftover(const Capture& c) {
   return c.mode == GL_QUADS && count > 0;
 }
 
-
-// A thread's capture lives as long as the thread.
-void free_capture(void* own) {
-  Capture* c = static_cast<Capture*>(own);
-  // Other destructors of this thread may still use GL.
-  entry.own = nullptr;
-  set_active(entry, nullptr);
-  stats_detach(c->counters);
-  free_working_memory(*c);
-  delete c;
-}
-
-Capture* allocate_capture(Entry& e) {
-  static pthread_key_t key;
-  static const bool key_exists = ::pthread_key_create(&key, free_capture) == 0;
-  Capture* c = new (std::nothrow) Capture;
-  if (!c) return nullptr;
-  c->entry = &e;
-  c->options = &options();
-  stats_engage();
-  stats_attach(c->counters);
-  if (key_exists) ::pthread_setspecific(key, c);
-  e.own = c;
-  return c;
-}
+// Neither corrects nor counts.
+bool is_idle(const Options& options) { return options.mode == Mode::kOff && options.stats_path[0] == '\0'; }
 
 // Why quads cannot be captured now; kNone: they can.
-Reason passive_reason(const Entry& e, const Options& settings) {
+Reason passive_reason(const Entry& e, const Settings& settings, GLenum mode) {
   if (settings.mode == Mode::kOff) return Reason::kModeOff;
+  if (!(settings.primitives >> mode & 1)) return Reason::kPrimitiveOff;
   if (!e.context || (e.context->caps_read && !e.context->caps.supported)) return Reason::kUnknownContext;
   if (e.list && (!e.context->group || !e.list->driver_open)) return Reason::kDisplayList;
   return Reason::kNone;
@@ -294,7 +269,8 @@ Watch watch(Capture& c, Reason reason) {
 }
 
 void start(Capture& c, const Entry& e, GLenum mode) {
-  const Reason reason = passive_reason(e, *c.options);
+  c.settings = c.chosen;
+  const Reason reason = passive_reason(e, c.settings, mode);
   c.mode = mode;
   c.driver = e.driver;
   c.next = 0;
@@ -385,8 +361,8 @@ void begin_quads(Entry& e, GLenum mode) {
     e.inside = true;
   } else if (!e.inside) {
     e.inside = true;
-    const Options& settings = e.own ? *e.own->options : options();
-    if (settings.mode != Mode::kOff || settings.stats_path[0] != '\0') {
+    // A thread that has a capture has something to correct or to count.
+    if (e.own || !is_idle(options())) {
       Capture* c = e.own ? e.own : allocate_capture(e);
       if (c) {
         start(*c, e, mode);

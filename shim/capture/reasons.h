@@ -34,7 +34,8 @@ namespace truequad {
   REASON(kDisplayList, display_list)                                                                      \
   REASON(kUnknownContext, unknown_context)                                                                \
   REASON(kNoMemory, no_memory)                                                                            \
-  REASON(kModeOff, mode_off)
+  REASON(kModeOff, mode_off)                                                                              \
+  REASON(kPrimitiveOff, primitive_off)
 
 enum class Reason : std::uint8_t {
 #define TQ_REASON(constant, name) constant,

@@ -7,6 +7,7 @@
 #include "capture/entry.h"
 #include "capture/lights.h"
 #include "capture/rows.h"
+#include "capture/settings.h"
 #include "capture/slots.h"
 #include "capture/stats.h"
 #include "capture/values.h"
@@ -62,6 +63,8 @@ struct Capture {
   Entry* entry = nullptr;
   const Driver* driver = nullptr;
   const Options* options = nullptr;
+  Settings settings;            // of this primitive, or of what is drawn outside of one
+  Settings chosen;              // of the next one
   Reason passive_reason = Reason::kNone;
   std::uint64_t quads = 0;      // completed in this Begin
   bool began = false;           // the driver has seen a glBegin since the program's
@@ -97,6 +100,9 @@ inline WindowOrder window_order(const Capture& c) {
   if (c.mode == GL_QUAD_STRIP && c.due == 1) return {c.next + 2, 2};
   return {c.next, 0};
 }
+
+// thread.cc: this thread's capture, which it has none of yet. Null without memory.
+Capture* allocate_capture(Entry& entry);
 
 // primitive.cc, for record.h and draw.cc.
 

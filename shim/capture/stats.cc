@@ -50,6 +50,11 @@ void add_to(Counters& sum, const Counters& x) {
                          std::memory_order_relaxed);
 }
 
+void sum_all(Counters& sum) {
+  add_to(sum, ended);
+  for (const Counters* x = threads; x; x = x->next) add_to(sum, *x);
+}
+
 void clear(Counters& x) {
   for (Counter& counter : x.passed) counter.set(0);
   for (Counter* counter : {&x.listed, &x.corrected, &x.capped, &x.triangles, &x.flushes}) counter->set(0);
@@ -200,6 +205,12 @@ void stats_detach(Counters& counters) {
   unlock();
 }
 
+void stats_sum(Counters& sum) {
+  try_lock(kPatient);
+  sum_all(sum);
+  unlock();
+}
+
 void process_ends() {
   if (!engaged.load(std::memory_order_relaxed)) return;
   // The child of a vfork() or a raw clone() leaves: the counts are its parent's.
@@ -211,8 +222,7 @@ void process_ends() {
   const int host_errno = errno;
   Counters sum;
   const bool locked = try_lock(kAboutASecond);
-  add_to(sum, ended);
-  for (const Counters* x = threads; x; x = x->next) add_to(sum, *x);
+  sum_all(sum);
   if (locked) unlock();
   // A child that only runs another program, or fails to, has nothing to tell.
   const bool child = forked.load(std::memory_order_relaxed);

@@ -50,4 +50,7 @@ void stats_engage();
 void stats_attach(Counters& counters);
 void stats_detach(Counters& counters);
 
+// Adds up all threads, ended ones included.
+void stats_sum(Counters& sum);
+
 }  // namespace truequad

@@ -398,13 +398,10 @@ TEST(Correction, UnlitColoursAreClampedBeforeTheyAreInterpolated) {
 }
 
 TEST(Correction, ProjectiveQuadsStayQuads) {
-  reset();
-  make_current();
-  draw_trapezoid(doors(), GL_QUADS);  // so that the thread has a capture
-  static Options projective = *entry.own->options;
+  const Settings before = chosen_settings(entry);
+  Settings projective = before;
   projective.mode = Mode::kProjective;
-  const Options* const before = entry.own->options;
-  entry.own->options = &projective;
+  ASSERT_TRUE(choose_settings(entry, projective));
   for (GLenum mode : {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}) {
     const Program program = [mode](const Driver& gl) { draw_trapezoid(gl, mode); };
     const Gl native = natively(program), ours = through_doors(program);
@@ -422,7 +419,7 @@ TEST(Correction, ProjectiveQuadsStayQuads) {
     EXPECT_NEAR(a[0].vertices[3][kTexture][3] / a[0].vertices[0][kTexture][3], 1 / 3.0, 1e-6);
     expect_same_afterwards(ours, native);
   }
-  entry.own->options = before;
+  choose_settings(entry, before);
 }
 
 TEST(Correction, TheOverlayLeavesEverythingAsItWas) {

@@ -218,15 +218,13 @@ TEST(Pass, UnmodelledCallsAndLists) {
 }
 
 TEST(Pass, ModeOffIsCountedAndNothingElse) {
-  through_doors(draw_warped);  // so that the thread has a capture
-  static Options off = *entry.own->options;
+  const Settings before = chosen_settings(entry);
+  Settings off = before;
   off.mode = Mode::kOff;
-  std::snprintf(off.stats_path, sizeof off.stats_path, "-");
-  const Options* const before = entry.own->options;
-  entry.own->options = &off;
+  ASSERT_TRUE(choose_settings(entry, off));
   expect_passed(Reason::kModeOff, Gl());
   EXPECT_EQ(through_doors(draw_warped).log, natively(draw_warped).log);
-  entry.own->options = before;
+  choose_settings(entry, before);
 }
 
 TEST(Pass, APrimitiveAsksOnce) {
