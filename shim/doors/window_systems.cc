@@ -4,13 +4,16 @@
 
 #include "capture/capture.h"
 #include "capture/list_play.h"
+#include "config/log.h"
+#include "config/options.h"
 #include "doors/doors.h"
 #include "doors/provider.h"
 
 namespace truequad {
 namespace {
 
-// The real function behind a door, looked up once; calls to one that does not exist return zero.
+// The real function behind a door, looked up once. Calls to one that does not exist return zero: a program was linked with us,
+// but not with what we stand for.
 template <typename Function>
 class Real;
 template <typename Result, typename... Parameters>
@@ -23,13 +26,19 @@ class Real<Result (*)(Parameters...)> {
       function = interface_symbol(api_, name_);
       function_.store(function, std::memory_order_relaxed);
     }
-    return function ? reinterpret_cast<Result (*)(Parameters...)>(function)(arguments...) : Result();
+    if (function) return reinterpret_cast<Result (*)(Parameters...)>(function)(arguments...);
+    if (!said_.exchange(true, std::memory_order_relaxed)) {
+      options();  // whether anything shall be said
+      log_warning("no library of this process has %s; calls to it do nothing", name_);
+    }
+    return Result();
   }
 
  private:
   Api api_;
   const char* name_;
   std::atomic<void*> function_ = nullptr;
+  std::atomic<bool> said_ = false;
 };
 
 // Whatever is still held goes to the context that it was meant for.

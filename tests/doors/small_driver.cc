@@ -28,4 +28,7 @@ EXPORT void glBegin(unsigned) { ++begins; }
 EXPORT void glEnd() { ++ends; }
 EXPORT void glVertex2f(float, float) { ++vertices; }
 EXPORT void glTexCoord2f(float, float) {}
+EXPORT void glNewList(unsigned, unsigned) {}
+EXPORT void glEndList() {}
+EXPORT void glCallList(unsigned) {}
 EXPORT unsigned glGetError() { return 0; }

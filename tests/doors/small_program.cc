@@ -1,9 +1,11 @@
 // small_program CHECK: uses the small driver, or none, through whatever the global scope offers, and returns 0 if what
 // it saw is right. With the library preloaded every name of the registry is there.
 //   none       no driver at all: every command is called with zeros
+//   no-window  no driver at all: contexts are created and made current in vain, twice
 //   all        the small driver: every command but Begin, End and the lists' is called with zeros, twice
 //   quads      the small driver: quads that are not affine, between Begin and End
-//   contexts N the small driver: N contexts are created, made current, drawn into and destroyed; memory must not grow
+//   contexts N the small driver: N contexts are created, made current, drawn into, given a list, and destroyed
+//              (some share lists with the one before, some are current then); memory must not grow
 #include <dlfcn.h>
 #include <malloc.h>
 
@@ -58,6 +60,9 @@ struct Gl {
   TQ_FIND(End);
   TQ_FIND(TexCoord2f);
   TQ_FIND(Vertex2f);
+  TQ_FIND(NewList);
+  TQ_FIND(EndList);
+  TQ_FIND(CallList);
 #undef TQ_FIND
 };
 
@@ -77,6 +82,12 @@ struct Osmesa {
   void (*destroy)(void*) = reinterpret_cast<decltype(destroy)>(symbol("OSMesaDestroyContext"));
 };
 
+bool refuse_contexts() {
+  const Osmesa osmesa;
+  char picture[4];
+  return !osmesa.create(0, nullptr) && !osmesa.make_current(nullptr, picture, GL_UNSIGNED_BYTE, 1, 1);
+}
+
 int number(const char* name) { return reinterpret_cast<int (*)()>(symbol(name))(); }
 
 bool check_quads() {
@@ -92,14 +103,25 @@ bool check_quads() {
 
 void use_contexts(const Gl& gl, const Osmesa& osmesa, int count) {
   char picture[4];
+  void* before = nullptr;
   for (int i = 0; i < count; ++i) {
-    void* context = osmesa.create(0, nullptr);
+    void* context = osmesa.create(0, i % 3 ? nullptr : before);
     osmesa.make_current(context, picture, GL_UNSIGNED_BYTE, 1, 1);
+    // Split, as nobody has asked yet what the driver can do.
+    gl.NewList(GLuint(i % 5 + 1), GL_COMPILE);
+    draw_quad(gl, 0.5f);
+    // One in seven is left in the middle of its list.
+    if (i % 7) {
+      gl.EndList();
+      gl.CallList(GLuint(i % 5 + 1));
+    }
     draw_quad(gl, 0.5f);
     // Some are destroyed while they are current, some after that.
     if (i % 2) osmesa.make_current(nullptr, nullptr, 0, 0, 0);
-    osmesa.destroy(context);
+    if (before) osmesa.destroy(before);
+    before = context;
   }
+  osmesa.destroy(before);
 }
 
 bool check_contexts(int count) {
@@ -118,6 +140,7 @@ bool check_contexts(int count) {
 int main(int argc, char** argv) {
   const std::string check = argc > 1 ? argv[1] : "";
   if (check == "none") return call_all() ? 0 : 1;
+  if (check == "no-window") return refuse_contexts() && refuse_contexts() ? 0 : 1;
   if (check == "all") return call_all() && call_all() ? 0 : 1;
   if (check == "quads") return check_quads() ? 0 : 1;
   if (check == "contexts" && argc == 3) return check_contexts(std::atoi(argv[2])) ? 0 : 1;
