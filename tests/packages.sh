@@ -14,7 +14,7 @@ declare -A truequad_packages=(
     libosmesa6-dev libegl-dev libgl-dev libx11-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 xvfb python3 make pkg-config"
   # Real programs that draw quads, and the X server without a screen that they run on.
   [programs]="xvfb xauth libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb-dev libegl-dev libgl-dev libx11-dev
-    xscreensaver-gl xscreensaver-gl-extra rss-glx puredata-core gem"
+    xscreensaver-gl xscreensaver-gl-extra rss-glx puredata-core gem gltron libopencsg-example openuniverse"
 )
 
 packages_of() {

@@ -207,9 +207,12 @@ void finish_drawing() {
   DRIVER(glFinish)();
 }
 
+// One swap may come by more than one of the doors below.
+bool swapping = false;
+
 template <typename Size>
 void frame_ends(Size size) {
-  if (!steady_process || !wanted().last) return;
+  if (!steady_process || swapping || !wanted().last) return;
   ++frame;
   finish_drawing();
   char errors[16 * 8] = "";
@@ -237,7 +240,9 @@ void frame_ends(Size size) {
 
 // ---- frames
 
-STEADY_EXPORT void glXSwapBuffers(Display* display, GLXDrawable drawable) {
+namespace {
+
+void glx_frame_ends(Display* display, GLXDrawable drawable) {
   frame_ends([&](int& width, int& height) {
     unsigned value = 0;
     const auto query = driver("glXQueryDrawable", &glXQueryDrawable);
@@ -246,8 +251,23 @@ STEADY_EXPORT void glXSwapBuffers(Display* display, GLXDrawable drawable) {
     query(display, drawable, GLX_HEIGHT, &value);
     height = int(value);
   });
+}
+
+}  // namespace
+
+STEADY_EXPORT void glXSwapBuffers(Display* display, GLXDrawable drawable) {
+  glx_frame_ends(display, drawable);
   static const auto swap = next("glXSwapBuffers", "libGL.so.1", &glXSwapBuffers);
   swap(display, drawable);
+}
+
+// SDL 1.2 finds glXSwapBuffers by dlsym, on which preloading has no influence.
+STEADY_EXPORT void SDL_GL_SwapBuffers() {
+  glx_frame_ends(DRIVER(glXGetCurrentDisplay)(), DRIVER(glXGetCurrentDrawable)());
+  static const auto swap = next("SDL_GL_SwapBuffers", "libSDL-1.2.so.0", &SDL_GL_SwapBuffers);
+  swapping = true;
+  swap();
+  swapping = false;
 }
 
 STEADY_EXPORT EGLBoolean eglSwapBuffers(EGLDisplay display, EGLSurface surface) {
