@@ -58,4 +58,12 @@ void fill_absent(Capture& c, const Quad& quad, SlotMask slots) {
   });
 }
 
+void keep_current(Capture& c, SlotMask slots) {
+  const Caps& caps = caps_of(c);
+  for_each_slot(slots, [&](Slot slot) {
+    c.now[slot] = read_current(*c.driver, caps, slot);
+    c.now_row[slot] = float_call(caps, slot, 4);
+  });
+}
+
 }  // namespace truequad

@@ -43,6 +43,11 @@ constexpr struct {
     {"ARB_color_buffer_float", &Caps::float_mode},
     {"EXT_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_provoking_vertex", &Caps::provoking_vertex},
+    {"ARB_vertex_buffer_object", &Caps::buffers},
+    {"NV_vertex_buffer_unified_memory", &Caps::unified_memory},
+    {"ARB_vertex_program", &Caps::vertex_program_arb},
+    {"NV_primitive_restart", &Caps::restart_nv},
+    {"ARB_ES3_compatibility", &Caps::restart_fixed},
 };
 
 struct Reader {
@@ -121,6 +126,10 @@ Caps read_caps(const Driver& driver) {
   caps.primitive_queries |= version >= 30;
   caps.statistics_queries |= version >= 46;
   caps.provoking_vertex |= version >= 32;
+  caps.buffers |= version >= 15;
+  caps.generic_attributes_core = version >= 20;
+  caps.restart_core = version >= 31;
+  caps.restart_fixed |= version >= 43;
 
   caps.snap_px = std::ldexp(1.0, -std::clamp(get(driver, GL_SUBPIXEL_BITS, 4), 0, 30));
   caps.lights = unsigned(std::max(0, get(driver, GL_MAX_LIGHTS, 8)));

@@ -22,12 +22,24 @@ constexpr Driver make_capturing() {
   table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
 #include "other_calls.inc"
 #undef TQ_COMMAND
+#define TQ_ARRAY_STATE(name, result, parameters, arguments) \
+  table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
+#define TQ_BUFFER_OF_TARGET TQ_ARRAY_STATE
+#define TQ_BUFFER_OF_NAME TQ_ARRAY_STATE
+#define TQ_BUFFER_PACKED TQ_ARRAY_STATE
+#define TQ_BUFFER_QUERIED TQ_ARRAY_STATE
+#define TQ_ANY_BUFFER TQ_ARRAY_STATE
+#include "array_commands.inc"
+#define TQ_DRAW(name, parameters, arguments, draw) table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
+#include "capture/array_calls.inc"
+#undef TQ_DRAW
 #define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_) \
   table.Name = recording::Recorder<kRows[kRow##Name], &Driver::Name>::call;
 #include "attribute_calls.inc"
 #undef TQ_ATTRIBUTE
   // Their doors note something, and then come here.
 #define TQ_NOTED(name) table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
+  TQ_NOTED(DeleteBuffers) TQ_NOTED(DeleteBuffersARB) TQ_NOTED(Disable) TQ_NOTED(Enable)
   TQ_NOTED(Clear) TQ_NOTED(DepthFunc) TQ_NOTED(StencilOp) TQ_NOTED(StencilOpSeparate)
   TQ_NOTED(CallList) TQ_NOTED(CallLists) TQ_NOTED(ListBase) TQ_NOTED(DeleteLists) TQ_NOTED(GenLists) TQ_NOTED(IsList)
   TQ_NOTED(GetBooleanv) TQ_NOTED(GetDoublev) TQ_NOTED(GetFloatv) TQ_NOTED(GetIntegerv)

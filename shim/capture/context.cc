@@ -3,6 +3,7 @@
 #include <mutex>
 #include <new>
 
+#include "capture/arrays.h"
 #include "capture/capture.h"
 #include "capture/list_compile.h"
 #include "capture/stats.h"
@@ -10,7 +11,7 @@
 namespace truequad {
 
 constinit thread_local Entry entry [[gnu::tls_model("initial-exec")]] = {
-    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, 0};
+    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, 0, false};
 
 namespace {
 
@@ -26,6 +27,7 @@ ContextRecord** find(const void* handle) {
 void destroy(ContextRecord* record) {
   ShareGroup::release(record->group);
   drop_list(record->list);
+  free_array_memory(*record);
   delete record;
 }
 void release(ContextRecord* record) {
@@ -49,6 +51,7 @@ void context_made_current(Entry& e, const void* context, const Driver* driver) {
   if (!e.active) e.dispatch = e.driver;
   if (e.context && e.context->handle == context && !e.context->destroyed.load(std::memory_order_relaxed)) return;
   set_active(e, nullptr);
+  e.arrays_known = false;
   frame_ended(e);  // another context has other buffers
   const std::lock_guard lock(records_mutex);
   if (e.context) {

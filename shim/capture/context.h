@@ -22,6 +22,9 @@ struct Caps {
   bool separate_specular = false, rescale_normal = false, fragment_lighting = false;
   bool color_clamp = false, float_mode = false;
   bool provoking_vertex = false;
+  bool buffers = false, unified_memory = false;
+  bool generic_attributes_core = false, vertex_program_arb = false;
+  bool restart_core = false, restart_nv = false, restart_fixed = false;
   bool quads_follow_provoking = false;
   unsigned texture_units = 1;   // that have texture enables and generation
   unsigned texture_coords = 1;  // that have current coordinates
@@ -31,6 +34,7 @@ struct Caps {
 };
 
 class ShareGroup;
+struct ArrayMemory;
 struct ListCompile;
 
 // Never raises an error: the version decides what is asked. Must be called outside Begin/End.
@@ -46,6 +50,7 @@ struct ContextRecord {
   ListCompile* list = nullptr;  // likewise
   ShareGroup* group = nullptr;  // null without memory
   GLuint list_base = 0;         // as it was when it was set, or could be asked for
+  ArrayMemory* arrays = nullptr;  // allocated with the first draw of quads from arrays
   Caps caps;
 };
 

@@ -133,6 +133,7 @@ bool must_meet_triangles(const Capture& c, PassKey positions, PassKey seen) {
 
 void draw(Capture& c, const Quad& quad, unsigned units) {
   Plan& plan = c.scratch->plan;
+  if (c.before_draw) c.before_draw(c);
   if (plan.action == Action::kMesh) draw_mesh(c, quad);
   else draw_projected(c, quad, units);
   c.counters.correct(plan.triangles, plan.bound_px, plan.capped);

@@ -12,6 +12,10 @@ const Caps& caps_of(Capture& c);
 // first set after them, and not sent since. The capture must be held.
 void fill_absent(Capture& c, const Quad& quad, SlotMask slots);
 
+// Makes the driver's current values of `slots` the capture's, to be sent again after the drawing (replay_now()). The driver
+// must be outside of Begin/End.
+void keep_current(Capture& c, SlotMask slots);
+
 // Plans the quad for the present view and draws it, if it needs correction or an earlier pass drew it as a mesh.
 // `warped`: texture slots that show the diagonal, perhaps none. kNone: drawn. Else nothing was drawn, for this reason;
 // without anything warped it is kAffine. The capture must be held.

@@ -19,6 +19,7 @@ struct Entry {
   ListCompile* list;       // non-null between glNewList and glEndList
   bool playing;            // the calls are those of a list that is called
   int list_depth;          // lists that call each other
+  bool arrays_known;       // context->arrays is what the driver has (array_state.h)
 };
 
 // The real functions while no context is current. Defined, and never unusable, by whoever links the capture: the doors,

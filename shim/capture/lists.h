@@ -5,6 +5,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "capture/buffers.h"
 #include "capture/kept_calls.h"
 
 namespace truequad {
@@ -55,10 +56,11 @@ inline bool is_hidden_part(const Part& part, const SplitList& list) {
   return part.kind == Part::Kind::kDriver && part.name != 0 && part.name != list.name;
 }
 
-// Contexts that share lists.
+// Contexts that share lists and buffers.
 class ShareGroup {
  public:
   std::atomic<int> users{1};
+  BufferChanges buffers;
   static void release(ShareGroup* group);
   ~ShareGroup();
 

@@ -10,6 +10,7 @@
 #include "capture/correct.h"
 #include "capture/drawn.h"
 #include "capture/list_compile.h"
+#include "capture/quads.h"
 #include "capture/replay.h"
 #include "capture/state.h"
 #include "kernel/affine_fast.h"
@@ -72,12 +73,15 @@ void materialise(Capture& c) {
   });
 }
 
-// Open to held.
+}  // namespace
+
 void cut(Capture& c) {
   c.driver->End();
   c.counters.flushes.add(1);
   set_state(c, State::kHeld);
 }
+
+namespace {
 
 Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
   Corners corners;
@@ -103,10 +107,10 @@ bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
   return truequad::surely_affine(position, coordinates);
 }
 
-// Its position alone: affine whatever affine texture it gets.
+}  // namespace
+
 bool parallelogram(const Capture& c, const Quad& quad) { return surely_affine(c, kPosition, quad); }
 
-// Looks at the quad alone. kNone: the textures of `warped` (slots) show its diagonal.
 Reason judge(Capture& c, const Quad& quad, SlotMask& warped) {
   const SlotMask textures = c.live & kTextureSlots;
   if (!textures) return Reason::kNoTextureVaries;
@@ -135,10 +139,11 @@ Reason judge(Capture& c, const Quad& quad, SlotMask& warped) {
   return warped ? Reason::kNone : reason;
 }
 
-// True if an earlier pass drew, or a later one will want, a mesh over these vertices.
 bool may_be_mesh(const Capture& c, const Quad& quad) {
   return c.watch == Watch::kMeshes && c.drawn->may_be_mesh(positions_key(c, quad));
 }
+
+namespace {
 
 void count_listed(Capture& c) {
   if (c.listing || c.entry->playing) c.counters.listed.add(c.counters.quads() - c.counted_before);
@@ -268,6 +273,8 @@ Watch watch(Capture& c, Reason reason) {
   return c.drawn->any_mesh() ? Watch::kMeshes : passes_meet() ? Watch::kTriangles : Watch::kNothing;
 }
 
+}  // namespace
+
 void start(Capture& c, const Entry& e, GLenum mode) {
   c.settings = c.chosen;
   const Reason reason = passive_reason(e, c.settings, mode);
@@ -278,7 +285,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.raw_kept = 0;
   c.extensions_used = 0;
   c.quads = 0;
-  c.began = c.mesh_open = c.mesh_unlit = c.calls_grew = c.corrected = c.view_read = false;
+  c.began = c.mesh_open = c.mesh_unlit = c.calls_grew = c.corrected = c.view_read = c.elements_found = false;
   c.listing = e.list != nullptr;
   c.watch = c.listing ? Watch::kNothing : watch(c, reason);
   if (c.watch == Watch::kNothing && !c.listing) c.unnoted = true;
@@ -295,7 +302,10 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   }
 }
 
-}  // namespace
+Capture* capturing_thread(Entry& e) {
+  if (e.own) return e.own;
+  return is_idle(options()) ? nullptr : allocate_capture(e);
+}
 
 bool quad_complete(Capture& c) {
   // The usual quad: affine in its only texture. Nothing here but what returns at once, so that no register is saved.
@@ -361,15 +371,11 @@ void begin_quads(Entry& e, GLenum mode) {
     e.inside = true;
   } else if (!e.inside) {
     e.inside = true;
-    // A thread that has a capture has something to correct or to count.
-    if (e.own || !is_idle(options())) {
-      Capture* c = e.own ? e.own : allocate_capture(e);
-      if (c) {
-        start(*c, e, mode);
-        set_active(e, c);
-        if (c->state == State::kHeld) return;
-        c->began = true;
-      }
+    if (Capture* const c = capturing_thread(e)) {
+      start(*c, e, mode);
+      set_active(e, c);
+      if (c->state == State::kHeld) return;
+      c->began = true;
     }
   }
   e.driver->Begin(mode);

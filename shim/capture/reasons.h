@@ -21,6 +21,8 @@ namespace truequad {
   REASON(kTextureGeneration, texture_generation)                                                          \
   REASON(kProgram, program)                                                                               \
   REASON(kGenericAttribute, generic_attribute)                                                            \
+  REASON(kArrayRange, array_range)                                                                        \
+  REASON(kBuffer, buffer)                                                                                 \
   REASON(kOwnQ, own_q)                                                                                    \
   REASON(kSelectionOrFeedback, selection_or_feedback)                                                     \
   REASON(kPolygonMode, polygon_mode)                                                                      \

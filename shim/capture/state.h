@@ -74,9 +74,13 @@ struct Capture {
   bool corrected = false;       // something in this Begin was
   LightsRead lights_read = LightsRead::kNothing;
   bool view_read = false;
+  bool elements_found = false;  // the arrays of glArrayElement are known for this Begin
   bool listing = false;         // a list is being compiled: the driver draws nothing now
   std::uint64_t counted_before = 0;  // quads of this thread before this Begin, if it is of a list
   FrameView view;
+  // Called before anything is drawn in the place of a quad, if not null: a draw from arrays (array_draw.cc).
+  void (*before_draw)(Capture&) = nullptr;
+  void* drawing = nullptr;
   // The thread.
   bool start_held = false;  // the last primitive was corrected: the next one probably will be
   Scratch* scratch = nullptr;

@@ -38,9 +38,12 @@ bool try_lock(int attempts) {
 void unlock() { threads_busy.clear(std::memory_order_release); }
 constexpr int kPatient = -1, kAboutASecond = 10000;
 
+constexpr Counter Counters::*kPaths[] = {&Counters::listed, &Counters::from_arrays, &Counters::from_buffers,
+                                         &Counters::rectangles};
+
 void add_to(Counters& sum, const Counters& x) {
   for (std::size_t i = 0; i < kReasonCount; ++i) sum.passed[i].add(x.passed[i].get());
-  sum.listed.add(x.listed.get());
+  for (Counter Counters::*path : kPaths) (sum.*path).add((x.*path).get());
   sum.corrected.add(x.corrected.get());
   sum.capped.add(x.capped.get());
   sum.triangles.add(x.triangles.get());
@@ -57,7 +60,8 @@ void sum_all(Counters& sum) {
 
 void clear(Counters& x) {
   for (Counter& counter : x.passed) counter.set(0);
-  for (Counter* counter : {&x.listed, &x.corrected, &x.capped, &x.triangles, &x.flushes}) counter->set(0);
+  for (Counter Counters::*path : kPaths) (x.*path).set(0);
+  for (Counter* counter : {&x.corrected, &x.capped, &x.triangles, &x.flushes}) counter->set(0);
   x.bound_px_max.store(0, std::memory_order_relaxed);
 }
 
@@ -113,8 +117,13 @@ void write_json(const Counters& sum, const Options& settings, Writer& out) {
   out.field("bound_px_max", sum.bound_px_max.load(std::memory_order_relaxed));
   out.name("by_path");
   out.text("{");
-  out.field("immediate", quads - sum.listed.get());
+  std::uint64_t others = 0;
+  for (Counter Counters::*path : kPaths) others += (sum.*path).get();
+  out.field("immediate", quads - others);
   out.field("list", sum.listed.get());
+  out.field("arrays", sum.from_arrays.get());
+  out.field("buffer", sum.from_buffers.get());
+  out.field("rect", sum.rectangles.get());
   out.text("}");
   out.name("pass_reasons");
   out.text("{");

@@ -23,7 +23,11 @@ class Counter {
 
 struct Counters {
   Counter passed[kReasonCount];
-  Counter listed;     // of both: compiled into a display list, or called with it
+  // Of both, by the way on which they came; the others are immediate mode.
+  Counter listed;        // compiled into a display list, or called with it
+  Counter from_arrays;   // vertex arrays in the client's memory
+  Counter from_buffers;  // in buffer objects
+  Counter rectangles;    // glRect
   Counter corrected;
   Counter capped;     // of the corrected ones: the promise exceeds the tolerance
   Counter triangles;  // drawn for corrected quads

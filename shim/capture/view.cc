@@ -11,6 +11,8 @@ GLint get(const Driver& driver, GLenum name) {
   return value;
 }
 
+}  // namespace
+
 bool program_bound(const Driver& driver, const Caps& caps) {
   if (caps.glsl ? get(driver, GL_CURRENT_PROGRAM) != 0
                 : caps.glsl_arb && driver.GetHandleARB(GL_PROGRAM_OBJECT_ARB) != 0) {
@@ -24,6 +26,8 @@ bool program_bound(const Driver& driver, const Caps& caps) {
   if (caps.ext_vertex_shader && driver.IsEnabled(GL_VERTEX_SHADER_EXT)) return true;
   return caps.nv_texture_shader && driver.IsEnabled(GL_TEXTURE_SHADER_NV);
 }
+
+namespace {
 
 // Counts of primitives that a mesh would change.
 bool primitives_counted(const Driver& driver, const Caps& caps) {

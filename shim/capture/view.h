@@ -25,6 +25,9 @@ struct FrameView {
 // Reads all but the texture units. Asks only what `caps` knows to exist: never raises an error.
 void read_view(const Driver& driver, const Caps& caps, FrameView& out);
 
+// A vertex, fragment or GLSL program, a pipeline, or a vendor's shader is in use.
+bool program_bound(const Driver& driver, const Caps& caps);
+
 // Reads texture enables and coordinate generation of the units in `units` (bit mask) that were not read before.
 void read_units(const Driver& driver, const Caps& caps, unsigned units, FrameView& out);
 

@@ -3,12 +3,18 @@
 #include <iterator>
 #include <string_view>
 
+#include "capture/array_state.h"
 #include "capture/capture.h"
 #include "capture/list_compile.h"
 #include "capture/list_play.h"
 #include "doors/doors.h"
 
 extern "C" {
+
+// Some doors are in array_commands.cc.
+#define TQ_COMMAND(name, result, parameters, arguments) TRUEQUAD_DOOR result GLAPIENTRY gl##name parameters;
+#include "gl_commands.inc"
+#undef TQ_COMMAND
 
 #define TQ_COMMAND(name, result, parameters, arguments) \
   TRUEQUAD_DOOR result GLAPIENTRY gl##name parameters { return truequad::entry.dispatch->name arguments; }
@@ -48,6 +54,8 @@ TRUEQUAD_DOOR void GLAPIENTRY glGetBooleanv(GLenum what, GLboolean* data) {
   if (truequad::list_answer(truequad::entry, what, answer)) *data = GL_TRUE;
 }
 #undef TQ_GET
+TRUEQUAD_DOOR void GLAPIENTRY glEnable(GLenum capability) { truequad::enable(truequad::entry, capability); }
+TRUEQUAD_DOOR void GLAPIENTRY glDisable(GLenum capability) { truequad::disable(truequad::entry, capability); }
 TRUEQUAD_DOOR void GLAPIENTRY glClear(GLbitfield mask) { truequad::clear(truequad::entry, mask); }
 TRUEQUAD_DOOR void GLAPIENTRY glDepthFunc(GLenum function) { truequad::depth_func(truequad::entry, function); }
 TRUEQUAD_DOOR void GLAPIENTRY glStencilOp(GLenum fail, GLenum depth_fail, GLenum pass) {

@@ -61,7 +61,7 @@ void expect_draws(const json& j, int times) {
   EXPECT_GT(j["triangles"], 4 * times);
   EXPECT_GT(j["bound_px_max"], 0);
   EXPECT_LE(j["bound_px_max"], 0.25);
-  EXPECT_EQ(j["by_path"], json({{"immediate", 4 * times}, {"list", times}}));
+  EXPECT_EQ(j["by_path"], json({{"immediate", 4 * times}, {"list", times}, {"arrays", 0}, {"buffer", 0}, {"rect", 0}}));
   EXPECT_EQ(j["pass_reasons"], json({{"affine", 2 * times}, {"incomplete", times}}));
   EXPECT_EQ(j["flushes"], times);
   EXPECT_EQ(j["mode"], "bilinear");

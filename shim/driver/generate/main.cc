@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 
+#include "array_commands.h"
 #include "attribute_grammar.h"
 #include "registry.h"
 
@@ -36,18 +37,18 @@ void write_enums(const Registry& registry, std::ostream& out) {
   for (const Enum& value : registry.enums) out << "#define " << value.name << " " << value.value << "\n";
 }
 
-void write_command(const Command& command, std::ostream& out) {
-  out << "TQ_COMMAND(" << command.name << ", " << command.result << ", " << declarations(command) << ", "
+void write_command(const Command& command, std::ostream& out, const std::string& macro = "TQ_COMMAND") {
+  out << macro << "(" << command.name << ", " << command.result << ", " << declarations(command) << ", "
       << arguments(command) << ")\n";
 }
 
 // The doors of these are written by hand.
 bool has_own_door(const std::string& name) {
   static const std::set<std::string> names = {
-      "Begin",       "CallList", "CallLists", "Clear",       "DeleteLists", "DepthFunc",
-      "End",         "EndList",  "GenLists",  "GetBooleanv", "GetDoublev",  "GetFloatv",
-      "GetIntegerv", "IsList",   "ListBase",  "NewList",     "StencilOp",   "StencilOpSeparate"};
-  return names.contains(name);
+      "Begin",    "CallList",   "CallLists",   "Clear",  "DeleteLists", "DepthFunc", "Disable",  "Enable",
+      "End",      "EndList",    "GenLists",    "GetBooleanv", "GetDoublev", "GetFloatv", "GetIntegerv", "IsList",
+      "ListBase", "NewList",    "StencilOp",   "StencilOpSeparate"};
+  return names.contains(name) || draws_from_arrays(name);
 }
 
 void write_attribute(const std::string& name, const AttributeCall& call, std::ostream& out) {
@@ -56,15 +57,20 @@ void write_attribute(const std::string& name, const AttributeCall& call, std::os
 }
 
 // gl_commands.inc: every command. The others divide it: attribute_calls.inc and attribute_commands.inc (the same
-// commands, what they mean and how they are called), other_calls.inc (the rest, less those with doors of their own).
+// commands, what they mean and how they are called), array_commands.inc (what changes vertex arrays and buffers), and
+// other_calls.inc (the rest, less those with doors of their own).
 void write_commands(const Registry& registry, std::ostream& all, std::ostream& attributes,
-                    std::ostream& attribute_commands, std::ostream& others) {
+                    std::ostream& attribute_commands, std::ostream& arrays, std::ostream& others) {
   for (const Command& command : registry.commands) {
     write_command(command, all);
     if (const auto call = attribute_call(command.name)) {
       write_attribute(command.name, *call, attributes);
       write_command(command, attribute_commands);
-    } else if (!has_own_door(command.name)) {
+    } else if (has_own_door(command.name)) {
+      continue;
+    } else if (const std::string macro = array_macro(command.name); !macro.empty()) {
+      write_command(command, arrays, macro);
+    } else {
       write_command(command, others);
     }
   }
@@ -80,11 +86,12 @@ int run(const std::string& registry_path, const std::filesystem::path& directory
   std::filesystem::create_directories(directory);
   std::ofstream types(directory / "gl_types.h"), enums(directory / "gl_enums.h"),
       commands(directory / "gl_commands.inc"), attributes(directory / "attribute_calls.inc"),
-      attribute_commands(directory / "attribute_commands.inc"), others(directory / "other_calls.inc");
+      attribute_commands(directory / "attribute_commands.inc"), arrays(directory / "array_commands.inc"),
+      others(directory / "other_calls.inc");
   write_types(registry, types);
   write_enums(registry, enums);
-  write_commands(registry, commands, attributes, attribute_commands, others);
-  for (std::ofstream* file : {&types, &enums, &commands, &attributes, &attribute_commands, &others}) {
+  write_commands(registry, commands, attributes, attribute_commands, arrays, others);
+  for (std::ofstream* file : {&types, &enums, &commands, &attributes, &attribute_commands, &arrays, &others}) {
     file->close();
     if (!*file) {
       std::fprintf(stderr, "truequad_generate: cannot write into %s\n", directory.c_str());

@@ -1,0 +1,306 @@
+// Quads from vertex arrays. A draw whose quads are all affine is the program's own call, untouched. Else it is drawn in
+// order: quads that need no correction by draws of the same arrays, so that the driver takes them as it would take the
+// whole, and the others, which are copied from the arrays, as in immediate mode.
+#include <algorithm>
+
+#include "capture/array_elements.h"
+#include "capture/array_sources.h"
+#include "capture/arrays.h"
+#include "capture/correct.h"
+#include "capture/draw.h"
+#include "capture/drawn.h"
+#include "capture/replay.h"
+#include "capture/quads.h"
+
+namespace truequad {
+namespace {
+
+// A draw that GL calls an error, or that draws nothing.
+bool is_void(const ArrayDraw& draw) {
+  if (draw.primitives <= 0 || draw.instances <= 0 || !draw.count) return true;
+  if (draw.type != 0 && (index_bytes(draw.type) == 0 || !draw.indices || draw.least > draw.most)) return true;
+  bool any = false;
+  for (GLsizei i = 0; i < draw.primitives; ++i) {
+    if (draw.count[i] < 0 || (draw.type == 0 && draw.first[i] < 0)) return true;
+    // Of many vertices restarts can make polygons of four.
+    any |= quads_in(draw.mode, draw.count[i]) > 0 || (draw.type != 0 && draw.count[i] >= 4);
+  }
+  return !any;
+}
+
+std::uint64_t count_quads(const ArrayDraw& draw) {
+  std::uint64_t quads = 0;
+  for (GLsizei i = 0; i < draw.primitives; ++i) quads += std::uint64_t(quads_in(draw.mode, draw.count[i]));
+  return quads * std::uint64_t(draw.instances);
+}
+
+class Drawing {
+ public:
+  Drawing(Capture& c, const Driver& driver, const ArrayDraw& draw, ArraySources& sources, SlotMask textures)
+      : c_(c), driver_(driver), draw_(draw), sources_(sources), quad_(quad_of(draw.mode)) {
+    c.live = textures;
+    c.drawing = this;
+    c.before_draw = before_draw;
+    note_rows(bit(kPosition) | textures);
+  }
+
+  // True if something was corrected; then all of it has been drawn.
+  bool run() {
+    for (GLsizei i = 0; i < draw_.instances && (i == 0 || corrected_); ++i) run_instance();
+    c_.drawing = nullptr;
+    c_.before_draw = nullptr;
+    for (std::size_t i = 0; i < kReasonCount; ++i) {
+      // What needs nothing in the first instance needs nothing in the others, which were not looked at.
+      if (passed_[i] > 0) c_.counters.passed[i].add(corrected_ ? passed_[i] : passed_[i] * std::uint64_t(draw_.instances));
+    }
+    if (!corrected_) return false;
+    close_mesh(c_);
+    // Draws from arrays leave the current values as they were, where drivers do as the specification allows.
+    for_each_slot(c_.live, [&](Slot slot) { replay_now(c_, slot); });
+    c_.calls_grew = true;
+    end_batch(c_);
+    return true;
+  }
+
+ private:
+  // What the driver has not drawn yet, up to the end of the last quad that passed.
+  struct Place {
+    GLsizei primitive = 0, vertex = 0;
+  };
+
+  void run_instance() {
+    from_ = to_ = {};
+    for (GLsizei primitive = 0; primitive < draw_.primitives; ++primitive) {
+      const Reason reason = sources_.find(draw_, primitive, elements_);
+      if (reason == Reason::kNone) run_primitive(primitive);
+      else pass_all(primitive, reason);
+      to_ = {primitive, draw_.count[primitive]};
+    }
+    if (corrected_) flush();
+  }
+
+  void pass_all(GLsizei primitive, Reason reason) {
+    passed_[std::size_t(reason)] += std::uint64_t(quads_in(draw_.mode, draw_.count[primitive]));
+  }
+
+  void run_primitive(GLsizei primitive) {
+    const GLsizei count = draw_.count[primitive];
+    const Restart restart = restart_of(sources_.state(), draw_.type);
+    // Whether numbers that no index gives restart differs between versions and drivers.
+    if (restart.on && draw_.type == 0 && restart.index - GLuint(elements_.base) < GLuint(count)) {
+      return pass_all(primitive, Reason::kArrayRange);
+    }
+    for_each_segment(elements_, restart, count, [&](GLsizei begin, GLsizei end) { run_segment(primitive, begin, end); });
+  }
+
+  // Vertices that are one primitive.
+  void run_segment(GLsizei primitive, GLsizei begin, GLsizei end) {
+    const GLsizei step = quad_step(draw_.mode), quads = quads_in(draw_.mode, end - begin);
+    for (GLsizei i = 0; i < quads; ++i) {
+      const GLsizei first = begin + i * step;
+      if (!locate(first)) {
+        settle_passed(primitive, first, Reason::kArrayRange);
+        continue;
+      }
+      fetch_slot(kPosition);
+      for_each_slot(c_.live & kTextureSlots, [&](Slot slot) { fetch_slot(slot); });
+      settle(primitive, first);
+    }
+  }
+
+  // Finds the quad's four elements; false: not all lie in the arrays, and what the driver makes of them is its own.
+  bool locate(GLsizei first) {
+    bool inside = true;
+    for (GLsizei i = 0; i < 4; ++i) {
+      const GLuint index = elements_.index(first + i);
+      element_[i] = std::uint64_t(elements_.base + std::int64_t(index));
+      inside = inside && element_[i] < sources_.elements() &&
+               (draw_.type == 0 || (index >= draw_.least && index <= draw_.most));
+    }
+    return inside;
+  }
+
+  void fetch_slot(Slot slot) {
+    const ArraySource& source = sources_[slot];
+    for (unsigned i = 0; i < 4; ++i) c_.at[slot][i] = fetch(source, element_[i]);
+  }
+
+  void note_rows(SlotMask slots) {
+    for_each_slot(slots, [&](Slot slot) {
+      const RowId row = float_call(sources_.caps(), slot, sources_[slot].size);
+      for (unsigned i = 0; i < 4; ++i) c_.row[slot][i] = row;
+    });
+  }
+
+  // As settle() of primitive.cc does for a quad of immediate mode.
+  void settle(GLsizei primitive, GLsizei first) {
+    SlotMask warped = 0;
+    Reason reason = judge(c_, quad_, warped);
+    if (reason == Reason::kAffine && c_.watch == Watch::kNothing) [[likely]] {
+      ++passed_[std::size_t(Reason::kAffine)];
+      to_ = {primitive, first + 4};
+      return;
+    }
+    const bool needs_look = reason == Reason::kNone || may_be_mesh(c_, quad_);
+    if (needs_look && c_.view_read && c_.view.pass != Reason::kNone) {
+      if (reason == Reason::kNone) reason = c_.view.pass;
+    } else if (needs_look) {
+      const Reason found = look(warped);
+      if (found == Reason::kNone) {
+        from_ = to_ = {primitive, first + quad_step(draw_.mode)};
+        return;
+      }
+      if (reason == Reason::kNone) reason = found;
+    }
+    settle_passed(primitive, first, reason);
+    if (c_.watch != Watch::kNothing) note_triangles(c_, quad_);
+  }
+
+  void settle_passed(GLsizei primitive, GLsizei first, Reason reason) {
+    ++passed_[std::size_t(reason)];
+    to_ = {primitive, first + 4};
+  }
+
+  Reason look(SlotMask warped) {
+    if (!looked_) {
+      looked_ = true;
+      why_not_ = find_others();
+    }
+    if (why_not_ != Reason::kNone) return why_not_;
+    for (const std::uint64_t element : element_) {
+      if (element >= sources_.elements()) return Reason::kArrayRange;
+    }
+    for_each_slot(c_.live & ~kTextureSlots, [&](Slot slot) { fetch_slot(slot); });
+    for (unsigned i = 0; i < 4; ++i) c_.present[i] = c_.live;
+    return correct(c_, quad_, warped);
+  }
+
+  // The arrays that matter besides positions and textures: only these are read.
+  Reason find_others() {
+    const Caps& caps = sources_.caps();
+    const SlotMask enabled = sources_.state().enabled;
+    const auto is_enabled = [&](GLenum name) { return driver_.IsEnabled(name) != GL_FALSE; };
+    const auto get = [&](GLenum name) {
+      GLint value = 0;
+      driver_.GetIntegerv(name, &value);
+      return GLenum(value);
+    };
+    SlotMask others = 0;
+    const bool lighting = is_enabled(GL_LIGHTING);
+    if ((enabled & bit(kColor)) && (!lighting || is_enabled(GL_COLOR_MATERIAL))) others |= bit(kColor);
+    if (enabled & bit(kNormal)) others |= bit(kNormal);
+    if ((enabled & bit(kSecondaryColor)) && !lighting && is_enabled(GL_COLOR_SUM)) others |= bit(kSecondaryColor);
+    if ((enabled & bit(kFogCoord)) && is_enabled(GL_FOG) && get(GL_FOG_COORD_SRC) == GL_FOG_COORD) {
+      others |= bit(kFogCoord);
+    }
+    if ((enabled & bit(kIndex)) && get(GL_RGBA_MODE) == GL_FALSE) others |= bit(kIndex);
+    if (others & bit(kNormal) && !lighting && !generates_by_normals(caps)) others &= ~bit(kNormal);
+    const Reason reason = sources_.find(others);
+    if (reason != Reason::kNone) return reason;
+    if (!sources_.all_readable()) return Reason::kBuffer;
+    note_rows(others);
+    c_.live |= others;
+    return Reason::kNone;
+  }
+
+  bool generates_by_normals(const Caps& caps) const {
+    FrameView view;
+    read_units(driver_, caps, (1u << std::min(caps.texture_units, kTextureUnits)) - 1, view);
+    return view.units_generated != 0;
+  }
+
+  // The driver gets what comes before a quad that is corrected.
+  static void before_draw(Capture& c) {
+    Drawing& drawing = *static_cast<Drawing*>(c.drawing);
+    if (!drawing.corrected_) {
+      drawing.corrected_ = true;
+      keep_current(c, c.live);
+    }
+    drawing.flush();
+  }
+
+  void flush() {
+    for (GLsizei primitive = from_.primitive; primitive <= to_.primitive; ++primitive) {
+      const GLsizei from = primitive == from_.primitive ? from_.vertex : 0;
+      const GLsizei to = primitive == to_.primitive ? to_.vertex : draw_.count[primitive];
+      if (to - from >= kLeast) draw_part(primitive, from, to - from);
+    }
+    from_ = to_;
+  }
+
+  // Fewer vertices are no polygon.
+  static constexpr GLsizei kLeast = 3;
+
+  void draw_part(GLsizei primitive, GLsizei from, GLsizei count) {
+    close_mesh(c_);
+    if (draw_.type == 0) return driver_.DrawArrays(draw_.mode, draw_.first[primitive] + from, count);
+    const void* const indices =
+        static_cast<const unsigned char*>(draw_.indices[primitive]) + std::size_t(from) * index_bytes(draw_.type);
+    if (!draw_.base) return driver_.DrawElements(draw_.mode, count, draw_.type, indices);
+    driver_.DrawElementsBaseVertex(draw_.mode, count, draw_.type, indices, draw_.base[primitive]);
+  }
+
+  Capture& c_;
+  const Driver& driver_;
+  const ArrayDraw& draw_;
+  ArraySources& sources_;
+  const Quad quad_;
+  Elements elements_;
+  std::uint64_t element_[4];
+  std::uint64_t passed_[kReasonCount] = {};
+  Place from_, to_;
+  bool corrected_ = false, looked_ = false;
+  Reason why_not_ = Reason::kNone;
+};
+
+// Texture arrays of units that are enabled: the driver reads no others.
+SlotMask texture_slots(const Driver& driver, const ArraySources& sources) {
+  const Caps& caps = sources.caps();
+  const SlotMask arrays = sources.state().enabled & kTextureSlots;
+  FrameView view;
+  read_units(driver, caps, unsigned(arrays >> kTexture), view);
+  return arrays & (SlotMask(view.units_enabled) << kTexture);
+}
+
+// What can be said of all quads before a vertex is looked at. kNone: they are to be looked at.
+Reason find_reason(const Capture& c, const Driver& driver, ArraySources& sources, SlotMask& textures) {
+  const Reason reason = sources.open(*c.entry, driver);
+  if (reason != Reason::kNone) return reason;
+  // Before anything of the arrays is read: a program may read others.
+  if (program_bound(driver, sources.caps())) return Reason::kProgram;
+  const SlotMask enabled = sources.state().enabled;
+  if (!(enabled & bit(kPosition))) return Reason::kDegenerate;
+  textures = texture_slots(driver, sources);
+  if (!textures && c.watch == Watch::kNothing) {
+    return enabled & kTextureSlots ? Reason::kTexturingOff : Reason::kNoTextureVaries;
+  }
+  return sources.find(bit(kPosition) | textures);
+}
+
+}  // namespace
+
+bool draw_quads(Entry& e, const ArrayDraw& draw) {
+  if (is_void(draw)) return false;
+  Capture* const c = capturing_thread(e);
+  if (!c) return false;
+  if (e.list) return compile_quads(e, *c, draw);
+  const std::uint64_t quads_before = c->counters.quads();
+  start(*c, e, draw.mode);
+  ArrayMemory* const memory = e.context ? array_memory(e) : nullptr;
+  SlotMask textures = 0;
+  Reason reason = Reason::kNone;
+  if (c->state == State::kPassive) reason = c->passive_reason;
+  else if (!memory) reason = Reason::kNoMemory;
+  else reason = find_reason(*c, *e.driver, memory->sources, textures);
+  bool drawn = false;
+  if (reason == Reason::kNone) {
+    drawn = Drawing(*c, *e.driver, draw, memory->sources, textures).run();
+  } else {
+    c->counters.passed[std::size_t(reason)].add(count_quads(draw));
+  }
+  const bool from_buffer = reason == Reason::kNone && memory->state.array[kPosition].buffer != 0;
+  (from_buffer ? c->counters.from_buffers : c->counters.from_arrays).add(c->counters.quads() - quads_before);
+  return drawn;
+}
+
+}  // namespace truequad

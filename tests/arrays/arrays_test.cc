@@ -1,0 +1,140 @@
+// A quad from vertex arrays is drawn exactly as the same quad in immediate mode, whichever way its arrays and buffers come
+// about; a draw without a quad to correct is as without truequad, bit for bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "run.h"
+
+namespace truequad::arrays_test {
+namespace {
+
+using doors_test::read_file;
+using doors_test::run;
+using doors_test::Scratch;
+
+struct Drawn {
+  std::string pictures;
+  nlohmann::json statistics;
+  long corrected() const { return statistics.value("corrected", -1L); }
+  long by(const char* path) const { return statistics["by_path"].value(path, -1L); }
+};
+
+constexpr std::size_t kSeeds = 3, kWidth = 120, kHeight = 90;
+
+Drawn draw(const std::string& families, const std::string& way, bool with_truequad) {
+  const Scratch scratch;
+  const std::string file = scratch / "raw", statistics = scratch / "json";
+  std::map<std::string, std::string> environment;
+  if (with_truequad) environment = {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", statistics}};
+  const auto ended = run({DRAW_ARRAYS, families, std::to_string(kSeeds), std::to_string(kWidth), std::to_string(kHeight), way, file},
+                         environment);
+  EXPECT_EQ(ended.status, 0) << families << " " << way << ": " << ended.err;
+  EXPECT_EQ(ended.err, "");
+  Drawn drawn{read_file(file), {}};
+  const std::size_t count = 1 + std::size_t(std::count(families.begin(), families.end(), ','));
+  EXPECT_EQ(drawn.pictures.size(), count * kSeeds * kWidth * kHeight * 4);
+  if (with_truequad) {
+    drawn.statistics = nlohmann::json::parse(read_file(statistics), nullptr, false);
+    EXPECT_TRUE(drawn.statistics.is_object());
+  }
+  return drawn;
+}
+
+struct Way {
+  const char* name;
+  const char* path;  // where the statistics count it
+  long draws = 1;
+};
+constexpr Way kWays[] = {
+    {"arrays", "arrays"},
+    {"arrays_ext", "arrays"},
+    {"twice", "arrays", 2},
+    {"bytes", "arrays"},
+    {"shorts", "arrays"},
+    {"ints", "arrays"},
+    {"range", "arrays"},
+    {"interleaved", "arrays"},
+    {"pushed", "arrays", 2},
+    {"doubles", "arrays"},
+    {"unaligned", "arrays"},
+    {"multi_arrays", "arrays"},
+    {"multi_elements", "arrays"},
+    {"base_vertex", "arrays"},
+    {"multi_base_vertex", "arrays"},
+    {"instanced", "arrays", 2},
+    {"restart", "arrays"},
+    {"locked", "arrays"},
+    {"index_buffer", "arrays"},
+    {"array_element", "immediate"},
+    {"mixed_element", "immediate"},
+    {"element_of_buffer", "immediate"},
+    {"list", "list"},
+    {"list_of_elements", "list"},
+    {"list_executed", "list"},
+    {"list_of_array_element", "list"},
+    {"buffer", "buffer"},
+    {"vertex_array_objects", "buffer"},
+    {"data", "buffer", 2},
+    {"sub_data", "buffer", 2},
+    {"named", "buffer", 2},
+    {"map", "buffer", 2},
+    {"map_range", "buffer", 2},
+    {"copied", "buffer", 2},
+    {"cleared", "buffer", 2},
+    {"deleted", "buffer", 2},
+    {"other_context", "buffer", 2},
+    {"pixels_packed", "buffer", 2},
+};
+
+// In all of these every quad is corrected, or drawn by the same two triangles whichever way it comes. Quads that pass are drawn
+// by the program's own calls, and drivers divide quads with indices along the other diagonal.
+constexpr const char* kFamilies = "trapezoid,near_plane,strip,non_planar,bow_tie,polygon";
+// Some quads are within the tolerance, among others that are not.
+constexpr const char* kMixedFamilies = "dragged,mesh";
+
+class Ways : public testing::TestWithParam<Way> {};
+
+TEST_P(Ways, DrawWhatImmediateModeDraws) {
+  const Way way = GetParam();
+  static const Drawn immediate = draw(kFamilies, "immediate", true);
+  ASSERT_GT(immediate.corrected(), 0);
+  const Drawn ours = draw(kFamilies, way.name, true);
+  EXPECT_TRUE(ours.pictures == immediate.pictures);
+  EXPECT_EQ(ours.corrected(), way.draws * immediate.corrected());
+  EXPECT_EQ(ours.by(way.path), way.draws * immediate.by("immediate"));
+  EXPECT_EQ(ours.by(way.path), ours.statistics.value("quads", -1L));
+}
+
+TEST(Arrays, DrawRunsOfQuadsThatPassByTheirOwnCalls) {
+  const Drawn immediate = draw(kMixedFamilies, "immediate", true);
+  ASSERT_GT(immediate.statistics["pass_reasons"].value("within_tolerance", 0), 0);
+  for (const char* way : {"arrays", "multi_arrays", "buffer", "list"}) {
+    SCOPED_TRACE(way);
+    const Drawn ours = draw(kMixedFamilies, way, true);
+    EXPECT_TRUE(ours.pictures == immediate.pictures);
+    EXPECT_EQ(ours.corrected(), immediate.corrected());
+  }
+}
+
+TEST_P(Ways, LeaveAffineQuadsToTheDriver) {
+  const Way way = GetParam();
+  const Drawn native = draw("affine", way.name, false), ours = draw("affine", way.name, true);
+  EXPECT_EQ(ours.corrected(), 0);
+  EXPECT_GT(ours.by(way.path), 0);
+  EXPECT_TRUE(ours.pictures == native.pictures);
+}
+
+INSTANTIATE_TEST_SUITE_P(Arrays, Ways, testing::ValuesIn(kWays),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// What is mapped may change at any time.
+TEST(Arrays, OfABufferThatStaysMappedAreLeftAlone) {
+  const Drawn native = draw(kFamilies, "persistent", false), ours = draw(kFamilies, "persistent", true);
+  EXPECT_GT(ours.statistics["pass_reasons"].value("buffer", 0), 0);
+  EXPECT_TRUE(ours.pictures == native.pictures);
+}
+
+}  // namespace
+}  // namespace truequad::arrays_test
