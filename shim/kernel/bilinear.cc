@@ -6,6 +6,7 @@
 #include "lines.h"
 #include "mesh.h"
 #include "planners.h"
+#include "verify.h"
 
 namespace truequad::kernel {
 namespace {
@@ -13,10 +14,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Deepest halving of one long triangle that looks for a tighter bound.
 constexpr int kDepth = 6;
-// The same to find how far beyond the limit a triangle is.
-constexpr int kFarDepth = 3;
-// As part of the limit: worth that search.
-constexpr double kNear = 1.1;
 // Largest part of the quad that lies between one side and the block.
 constexpr double kMaxInset = 0.3;
 // Smallest: an inserted vertex must stay off the edge when its position is rounded to single precision.
@@ -25,9 +22,9 @@ constexpr double kMinInset = 0x1p-20;
 constexpr int kSmallestBlock = 12;
 // Triangles spent on a quad whose texture map folds: no number of them gives a bound there.
 constexpr int kFoldedTriangles = 512;
-constexpr int kMaxRounds = 24;
-// Triangles that are verified in all rounds together before the best mesh so far is taken.
-constexpr int kMostWork = 8192;
+constexpr int kMaxRounds = 12;
+// Of these, rounds that only look for lines without slivers.
+constexpr int kMaxSliverRounds = 3;
 // Lines and insets are made for a little less than what verification asks, or its rounding slack would refuse
 // them.
 constexpr double kMargin = 1 - 1e-6;
@@ -37,6 +34,14 @@ constexpr double kRasteriserMargin = 0.99;
 constexpr double kGoal = 0.99;
 // Rounds that correct insets alone.
 constexpr int kMaxSideRounds = 8;
+// By so much less in each of them.
+constexpr double kGoalStep = 0.005;
+// Insets that move by more than this together ask for other lines.
+constexpr double kMoved = 0.02;
+// Part of the error that lines are made for next when those chosen have slivers.
+constexpr double kSliverStep = 0.97;
+constexpr int kMaxSame = 16;
+constexpr int kMaxApexRounds = 3;
 
 double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px) {
   double bound = 0;
@@ -50,7 +55,7 @@ double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c,
 }
 
 double fan(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px, int depth) {
-  const MeshPoint centre{0.5, 0.5, 0.25 * (c[0].p + c[1].p + c[2].p + c[3].p)};
+  const MeshPoint centre = model.screen.mesh_point(0.5, 0.5);
   double bound = 0;
   for (int i = 0; i < 4 && bound <= limit_px; ++i) {
     bound = std::max(bound, triangle_bound(model, c[i], c[(i + 1) % 4], centre, limit_px, depth));
@@ -137,90 +142,18 @@ int choose_lines(const Densities& densities, const Insets& inset, const std::arr
   return block_triangles(int(plan.u.count) - 1, int(plan.v.count) - 1, flush);
 }
 
-struct Verdict {
-  double block = 0, side[4] = {};
-  double finite_block = 0;  // largest of those that are not infinite
-  // Of the cells beyond the limit, what exact arithmetic would make of them.
-  double exact_block = 0;
-  double side_exact[4] = {};  // the same of the worst triangle of each side
-  double worst() const { return std::max({block, side[0], side[1], side[2], side[3]}); }
-};
-
-// exact: the same model without a rasteriser.
-void verify_sides(const ErrorModel& model, const ErrorModel& exact, const Plan& plan, double limit_px,
-                  Verdict& verdict) {
-  const Block block(plan);
-  const auto point = [&](Node node) {
-    const Param at = param(plan, block, node);
-    return mesh_point(model, at.u, at.v);
-  };
-  for (int side = 0; side < 4; ++side) {
-    if (block.flush[side]) continue;
-    for_each_border_triangle(block, side, [&](Node a, Node b, Node c) {
-      const MeshPoint p = point(a), q = point(b), r = point(c);
-      double bound = triangle_bound(model, p, q, r, limit_px, kDepth), of_map = bound;
-      if (!(bound > verdict.side[side])) return;
-      if (bound > limit_px) {
-        // Beyond the limit triangle_bound() has not looked for how far.
-        const int look = bound > kNear * limit_px ? kFarDepth : 0;
-        if (look > 0) bound = triangle_bound(model, p, q, r, kTightest, look);
-        of_map = triangle_bound(exact, p, q, r, kTightest, look);
-        if (!(bound > verdict.side[side])) return;
-      }
-      verdict.side[side] = bound;
-      verdict.side_exact[side] = of_map;
-    });
+// Factor for the inset of a side that does not keep the goal, 1 if none helps: the map's part of the error grows with the
+// inset, the rasteriser's falls with it. `reachable`: false if the least of their sum is beyond the goal.
+double inset_change(const Estimate& found, double goal_px, bool& reachable) {
+  const double map_px = found.map_px, rest_px = found.rasteriser_px;
+  const double root = goal_px * goal_px - 4 * map_px * rest_px;
+  if (!(rest_px < kInfinity) || !(map_px < kInfinity) || rest_px < 0.01 * goal_px) {
+    return std::clamp(goal_px / found.px(), 0.25, 0.98);
   }
-}
-
-void verify_block(const ErrorModel& model, const ErrorModel& exact, const Plan& plan, double limit_px,
-                  Verdict& verdict) {
-  const Block block(plan);
-  const auto point = [&](Node node) {
-    const Param at = param(plan, block, node);
-    return mesh_point(model, at.u, at.v);
-  };
-  for (int j = 0; j < block.m; ++j) {
-    std::array<MeshPoint, 2> left{point({0, j}), point({0, j + 1})};
-    for (int i = 0; i < block.n; ++i) {
-      const std::array<MeshPoint, 2> right{point({i + 1, j}), point({i + 1, j + 1})};
-      const Param middle = centre(plan, i, j);
-      const MeshPoint top = mesh_point(model, middle.u, middle.v);
-      const std::array<MeshPoint, 4> corner{left[0], right[0], right[1], left[1]};
-      const double bound = cell_bound(model, corner, top, limit_px);
-      verdict.block = std::max(verdict.block, bound);
-      if (bound < kInfinity) verdict.finite_block = std::max(verdict.finite_block, bound);
-      if (bound > limit_px && !model.rasteriser.exact()) {
-        verdict.exact_block = std::max(verdict.exact_block, cell_bound(exact, corner, top, limit_px));
-      }
-      left = right;
-    }
-  }
-}
-
-// Corrects the factors of insets whose sides are beyond the aim; false if none can be.
-bool correct_insets(const Verdict& verdict, bool folded, double aim_px, Insets& factor) {
-  bool changed = false;
-  for (int side = 0; side < 4; ++side) {
-    const double found_px = verdict.side[side];
-    if (!(found_px > aim_px) || (folded && found_px == kInfinity)) continue;
-    // The map's part of the error grows with the inset, the rasteriser's falls with it.
-    const double map_px = verdict.side_exact[side], rest_px = found_px - map_px;
-    const double goal_px = kGoal * aim_px, root = goal_px * goal_px - 4 * map_px * rest_px;
-    double change;
-    if (!(rest_px < kInfinity) || !(map_px < kInfinity) || rest_px < 0.01 * aim_px) {
-      change = std::clamp(goal_px / found_px, 0.25, 0.95);
-    } else if (root >= 0) {
-      change = std::clamp((goal_px + std::sqrt(root)) / (2 * map_px), 0.25, 4.0);
-    } else {
-      // Out of reach for this shape, if the inset is already about the best.
-      change = std::clamp(std::sqrt(rest_px / map_px), 0.25, 4.0);
-      if (change > 0.9 && change < 1.1) continue;
-    }
-    factor[side] *= change;
-    changed = true;
-  }
-  return changed;
+  if (root >= 0) return std::clamp((goal_px + std::sqrt(root)) / (2 * map_px), 0.25, 4.0);
+  reachable = false;
+  const double change = std::clamp(std::sqrt(rest_px / map_px), 0.25, 4.0);
+  return change > 0.9 && change < 1.1 ? 1 : change;
 }
 
 void set_fan(Plan& plan, double bound) {
@@ -233,99 +166,186 @@ void set_fan(Plan& plan, double bound) {
   plan.bound_px = bound;
 }
 
-// Looks for the smallest block that keeps the budget. Sets lines, triangles and bound_px; returns false if
-// not even the smallest block fits under the cap.
-bool plan_block(const ErrorModel& model, const Budget& budget, Plan& plan) {
-  const bool folded = model.folded || model.colours.folded;
-  const int cap = folded ? std::min(budget.max_triangles, kFoldedTriangles) : budget.max_triangles;
-  if (cap < kSmallestBlock) return false;
-  Densities densities;
-  fit_densities(model, densities);
-
-  const std::array<bool, 4>& flush = plan.collapsed_edge;
-  double aim_px = budget.mesh_px;      // error that lines and insets are made for
-  const double margin = model.rasteriser.exact() ? kMargin : kRasteriserMargin;
-  double lines_px = margin * aim_px;   // the same for the lines alone, corrected by what verification found
-  Insets shrink;                       // the same for insets, as a factor
-  shrink.fill(margin);
-  const double middle_u = median(densities.u), middle_v = median(densities.v);
-  bool found = false, at_cap = false;
-  int work = 0, side_rounds = 0;
-  ErrorModel exact = model;
-  exact.rasteriser = {};
-  // The best mesh of those that do not keep the aim.
-  double best_px = kInfinity, best_lines_px = 0;
-  Insets best_inset{};
-  for (int round = 0; round < kMaxRounds && work < kMostWork; ++round) {
-    Insets inset;
-    for (int side = 0; side < 4; ++side) {
-      const bool along_u = side % 2 == 0;
-      inset[side] =
-          flush[side]
-              ? 0
-              : std::max(shrink[side] * inset_for(along_u ? densities.u : densities.v,
-                                                  along_u ? densities.v : densities.u, side == 0 || side == 3,
-                                                  along_u ? middle_u : middle_v, aim_px),
-                         kMinInset);
-    }
-    const int triangles = choose_lines(densities, inset, flush, lines_px, cap, plan);
-    if (triangles > cap) {
-      // The cap allows no better than this: aim for what it does allow.
-      const double factor = std::clamp(1.02 * triangles / cap, 1.05, 1e6);
-      aim_px *= factor;
-      lines_px *= factor;
-      at_cap = true;
-      found = false;
-      continue;
-    }
-    found = true;
-    plan.triangles = triangles;
-    // Sides first: they are few triangles, and the insets that they ask for change the block.
-    Verdict verdict;
-    verify_sides(model, exact, plan, aim_px, verdict);
-    const bool insets_changed = correct_insets(verdict, folded, aim_px, shrink);
-    if (insets_changed && ++side_rounds <= kMaxSideRounds) continue;
-    verify_block(model, exact, plan, aim_px, verdict);
-    work += triangles;
-    plan.bound_px = verdict.worst();
-    if (plan.bound_px <= aim_px) break;
-    if (plan.bound_px < best_px || best_lines_px == 0) {
-      best_px = plan.bound_px;
-      best_lines_px = lines_px;
-      best_inset = inset;
-    }
-    const double block = folded ? verdict.finite_block : verdict.block;
-    const bool correct_lines = block > aim_px && !at_cap;
-    if (correct_lines) {
-      // Slivers, which occur where the quad's picture folds, are no matter of size: other lines have others.
-      const bool too_large = model.rasteriser.exact() || verdict.exact_block > aim_px;
-      lines_px *= too_large ? std::clamp(0.99 * aim_px / block, 0.5, 0.98)
-                            : std::clamp(0.998 * aim_px / block, 0.97, 0.998);
-    }
-    if (!correct_lines && !insets_changed) break;
-  }
-  if (best_lines_px > 0 && (!found || plan.bound_px > best_px)) {
-    plan.triangles = choose_lines(densities, best_inset, flush, best_lines_px, cap, plan);
-    plan.bound_px = best_px;
-    found = true;
-  }
-  return found;
+// Moves the ends of the lines to the insets, and the lines between them in proportion.
+void move_ends(GridLines& lines, double low, double high) {
+  const double from = lines.at[0], scale = (high - low) / (lines.at[lines.count - 1] - from);
+  for (std::size_t i = 0; i < lines.count; ++i) lines.at[i] = low + (lines.at[i] - from) * scale;
+  lines.at[lines.count - 1] = high;
 }
+void copy(const GridLines& from, GridLines& to) {
+  to.count = from.count;
+  std::copy_n(from.at.begin(), from.count, to.at.begin());
+}
+// Where along a side the triangle on the quad's edge has its apex.
+double apex_of(const Plan& plan, int side) {
+  const Block block(plan);
+  const Chain chain = block.chain(side);
+  const Param at = param(plan, block, inner_node(block, side, apex(chain.first, chain.last)));
+  return side % 2 == 0 ? at.u : at.v;
+}
+
+// The search for the smallest block that keeps the budget.
+class BlockSearch {
+ public:
+  BlockSearch(const ErrorModel& model, const Budget& budget, Plan& plan)
+      : model_(model),
+        plan_(plan),
+        folded_(model.folded || model.colours.folded),
+        cap_(folded_ ? std::min(budget.max_triangles, kFoldedTriangles) : budget.max_triangles),
+        aim_px_(budget.mesh_px),
+        lines_px_((model.rasteriser.exact() ? kMargin : kRasteriserMargin) * aim_px_) {
+    shrink_.fill(lines_px_ / aim_px_);
+  }
+
+  // Sets lines, triangles and bound_px; returns false if not even the smallest block fits under the cap.
+  bool run() {
+    if (cap_ < kSmallestBlock) return false;
+    fit_densities(model_, aim_px_, densities_);
+    apex_ = {median(densities_.u), median(densities_.v), median(densities_.u), median(densities_.v)};
+    std::size_t columns = 0, rows = 0;  // of the last mesh that failed
+    for (int round = 0; round < kMaxRounds; ++round) {
+      if (!choose()) continue;
+      // Other lines are meant, if need be for an error that is smaller yet.
+      for (int i = 0; i < kMaxSame && plan_.u.count == columns && plan_.v.count == rows; ++i) {
+        lines_px_ *= kSliverStep;
+        if (!choose()) break;
+      }
+      columns = plan_.u.count;
+      rows = plan_.v.count;
+      // Sides first: they are few triangles, and cheap to correct.
+      const bool sides_keep = correct_sides();
+      const BlockVerdict block = verify_block(model_, plan_, aim_px_);
+      if (sides_keep && block.all_keep) {
+        plan_.triangles = Block(plan_).triangles();
+        plan_.bound_px = std::max(block.px, sides_px_);
+        return true;
+      }
+      remember(block);
+      if (at_cap_ || block.keeps || !correct_lines(block.worst)) break;
+    }
+    if (!found_) return false;
+    copy(best_u_, plan_.u);
+    copy(best_v_, plan_.v);
+    plan_.triangles = Block(plan_).triangles();
+    plan_.bound_px = best_cells_px_ < kInfinity ? sides_bound(model_, plan_, best_cells_px_, best_cells_px_)
+                                                : block_bound(model_, plan_, std::min(best_px_, 4 * aim_px_));
+    return true;
+  }
+
+ private:
+  // Returns how far they moved together.
+  double set_insets() {
+    double moved = 0;
+    for (int side = 0; side < 4; ++side) {
+      const bool along_u = side % 2 == 0, at_start = side == 0 || side == 3;
+      const Density &along = along_u ? densities_.u : densities_.v, &across = along_u ? densities_.v : densities_.u;
+      const double estimate = inset_for(along, across, at_start, apex_[std::size_t(side)], aim_px_);
+      const double inset =
+          plan_.collapsed_edge[side] ? 0 : std::clamp(shrink_[side] * estimate, kMinInset, kMaxInset);
+      moved += std::fabs(inset - inset_[side]);
+      inset_[side] = inset;
+    }
+    return moved;
+  }
+
+  // False if the cap does not allow what is aimed for: then the aim is raised.
+  bool choose() {
+    set_insets();
+    // Apexes are known from the lines, and insets from apexes.
+    for (int i = 0; i < kMaxApexRounds; ++i) {
+      const int triangles = choose_lines(densities_, inset_, plan_.collapsed_edge, lines_px_, cap_, plan_);
+      if (triangles > cap_) {
+        const double factor = std::clamp(1.02 * triangles / cap_, 1.05, 1e6);
+        aim_px_ *= factor;
+        lines_px_ *= factor;
+        at_cap_ = true;
+        return false;
+      }
+      for (int side = 0; side < 4; ++side) {
+        if (!plan_.collapsed_edge[side]) apex_[std::size_t(side)] = apex_of(plan_, side);
+      }
+      if (set_insets() <= kMoved) break;
+    }
+    move_ends();
+    return true;
+  }
+
+  void move_ends() {
+    kernel::move_ends(plan_.u, inset_[3], 1 - inset_[1]);
+    kernel::move_ends(plan_.v, inset_[0], 1 - inset_[2]);
+  }
+
+  bool correct_sides() {
+    reachable_ = true;
+    for (int round = 0; round < kMaxSideRounds; ++round) {
+      const auto verdict = verify_sides(model_, plan_, aim_px_);
+      bool keep = true, changed = false;
+      sides_px_ = 0;
+      for (int side = 0; side < 4; ++side) {
+        const SideVerdict& of = verdict[std::size_t(side)];
+        sides_px_ = std::max({sides_px_, of.px, of.worst.px()});
+        if (of.keeps) continue;
+        keep = false;
+        if (folded_ && of.worst.px() == kInfinity) continue;
+        // Less is asked for each time, or two sides might take turns.
+        const double change = inset_change(of.worst, (kGoal - kGoalStep * round) * aim_px_, reachable_);
+        shrink_[side] *= change;
+        changed |= change != 1;
+      }
+      if (keep || !changed) return keep;
+      if (!(set_insets() > kMoved && choose())) move_ends();
+    }
+    return false;
+  }
+
+  // False if other lines are not worth a try.
+  bool correct_lines(const Estimate& worst) {
+    // One try for a mesh that will not keep the aim for its sides.
+    if (!reachable_ && ++sliver_rounds_ > kMaxSliverRounds) return false;
+    const double left_px = aim_px_ - worst.rasteriser_px;
+    double factor = kSliverStep;
+    if (left_px > aim_px_ / 2) {
+      factor = std::clamp(kGoal * left_px / worst.map_px, 0.5, 0.98);
+    } else if (++sliver_rounds_ > kMaxSliverRounds) {
+      // Slivers, which occur where the quad's picture folds, are no matter of size: other lines have others.
+      return false;
+    }
+    lines_px_ *= factor;
+    return true;
+  }
+
+  void remember(const BlockVerdict& block) {
+    const double px = std::max({block.px, block.worst.px(), sides_px_});
+    if (found_ && !(px < best_px_)) return;
+    best_cells_px_ = block.all_keep ? block.px : kInfinity;
+    found_ = true;
+    best_px_ = px;
+    copy(plan_.u, best_u_);
+    copy(plan_.v, best_v_);
+  }
+
+  const ErrorModel& model_;
+  Plan& plan_;
+  const bool folded_;
+  const int cap_;
+  double aim_px_;    // error that lines and insets are made for
+  double lines_px_;  // the same for the lines alone, corrected by what verification found
+  Insets shrink_;    // the same for insets, as a factor
+  Densities densities_;
+  Insets inset_{}, apex_{};
+  double sides_px_ = 0;
+  bool at_cap_ = false, reachable_ = true, found_ = false;
+  int sliver_rounds_ = 0;
+  // The best mesh of those that do not keep the aim.
+  double best_px_ = kInfinity, best_cells_px_ = kInfinity;
+  GridLines best_u_, best_v_;
+};
 
 }  // namespace
 
-double block_bound(const ErrorModel& model, const Budget& budget, const Plan& plan) {
-  ErrorModel exact = model;
-  exact.rasteriser = {};
-  Verdict verdict;
-  verify_sides(model, exact, plan, budget.mesh_px, verdict);
-  verify_block(model, exact, plan, budget.mesh_px, verdict);
-  return verdict.worst();
-}
-
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan) {
-  const std::array<MeshPoint, 4> corner{mesh_point(model, 0, 0), mesh_point(model, 1, 0),
-                                        mesh_point(model, 1, 1), mesh_point(model, 0, 1)};
+  const std::array<MeshPoint, 4> corner{model.screen.mesh_point(0, 0), model.screen.mesh_point(1, 0),
+                                        model.screen.mesh_point(1, 1), model.screen.mesh_point(0, 1)};
   const double native = two_triangles(model, corner, budget.mesh_px);
   if (native <= budget.mesh_px) {
     plan.action = Action::kPass;
@@ -338,7 +358,7 @@ void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan) {
   const double one_fan = fan(model, corner, budget.mesh_px, kDepth);
   if (one_fan <= budget.mesh_px) {
     set_fan(plan, one_fan);
-  } else if (!plan_block(model, budget, plan)) {
+  } else if (!BlockSearch(model, budget, plan).run()) {
     set_fan(plan, fan(model, corner, kInfinity, 0));
   }
   plan.bound_px += budget.snap_px;

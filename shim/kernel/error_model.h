@@ -46,6 +46,9 @@ struct ErrorModel {
   bool folded = false;
 
   std::span<const TextureMap> maps() const { return {map.data(), map_count}; }
+  // What is bounded apart: each map, and the colours, for which there is none.
+  std::size_t parts() const { return map_count + (colours.count > 0); }
+  const TextureMap* part(std::size_t i) const { return i < map_count ? &map[i] : nullptr; }
 };
 
 // Adds the maps of the sets that are warped. Requires model.screen, and that classify() says kWarped of all
@@ -53,16 +56,26 @@ struct ErrorModel {
 // drawn.
 bool add_texture_maps(const Corners& position, std::span<const Corners> textures, ErrorModel& model);
 
-MeshPoint mesh_point(const ErrorModel& model, double u, double v);
-
 // Largest distance in pixels of a texel that triangle a b c draws inside the clip volume from its exact
-// place, what the rasteriser adds included but for the allowance of snapping itself; 0 if nothing of it is inside. Infinite if no bound
-// is known. Colours count by ColourModel::px_per_step. If the plain bound exceeds `limit_px`, up to `depth` halvings of the triangle look for a tighter one
-// that does not; the result is then below or at the limit, or the plain bound. With kTightest as limit it is the
-// tightest that `depth` halvings give.
+// place, what the rasteriser adds included but for the allowance of snapping itself; 0 if nothing of it is inside. Colours count
+// by ColourModel::px_per_step. If the
+// plain bound exceeds `limit_px`, up to `depth` halvings of the triangle look for a tighter one that does not; if there
+// is none the result is beyond the limit, but is not itself a bound. With kTightest as limit it is the tightest bound that
+// `depth` halvings give, infinite if none is known.
 inline constexpr double kTightest = -1;
 double triangle_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c,
                       double limit_px, int depth);
+
+// The larger of `bound_px` and the tightest bound that `depth` halvings give for a triangle.
+double raised_bound(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c,
+                    double bound_px, int depth);
+
+// About how far a triangle's texels are displaced, in pixels: by the map, and in addition by the rasteriser.
+struct Estimate {
+  double map_px = 0, rasteriser_px = 0;
+  double px() const { return map_px + rasteriser_px; }
+};
+Estimate triangle_estimate(const ErrorModel& model, const MeshPoint& a, const MeshPoint& b, const MeshPoint& c);
 
 // The same for the two halves of the quad, along either diagonal, drawn with texture coordinates that `lambda`
 // multiplies to an exact map: what the rasteriser alone adds.

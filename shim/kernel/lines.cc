@@ -11,6 +11,9 @@ namespace {
 constexpr int kSteps = Density::kMaxSteps;
 // A quad whose local error differs by less than this over the corners gets even lines.
 constexpr double kEven = 1.05;
+// So does one that takes no more cells than this if all are as small as the smallest, and half as many steps are enough for
+// one that takes no more than that.
+constexpr double kFewCells = 1, kSomeCells = 16;
 // Where a texture map folds its determinant is taken as at least this part of its largest size: lines may not
 // pile up at a place that no line can help.
 constexpr double kFoldFloor = 1.0 / 32;
@@ -115,9 +118,10 @@ void fit(const Sample& g, Density& u, Density& v) {
 // New steps such that each is worth the same; true if the old ones were far from that.
 bool refine(Density& density) {
   GridLines lines;
-  const double share = share_for(density, 0, 1, kSteps);
+  const int most = density.steps;
+  const double share = share_for(density, 0, 1, most);
   const int cells = share > 0 ? cut(density, 0, 1, share, &lines) : 0;
-  if (cells < 2 || cells > kSteps) return false;
+  if (cells < 2 || cells > most) return false;
   density.steps = cells;
   std::copy_n(lines.at.begin(), cells + 1, density.edge.begin());
   return true;
@@ -133,21 +137,23 @@ double Density::integral(double from, double to) const {
   return sum;
 }
 
-void fit_densities(const ErrorModel& model, Densities& densities) {
+void fit_densities(const ErrorModel& model, double error_px, Densities& densities) {
   const Sampler sampler(model);
   Density &u = densities.u, &v = densities.v;
   const double whole = sampler.cell(0, 1, 0, 1);
   const double point[4] = {sampler.cell(0, 0, 0, 0), sampler.cell(1, 1, 0, 0), sampler.cell(1, 1, 1, 1),
                            sampler.cell(0, 0, 1, 1)};
-  if (whole <= kEven * *std::min_element(point, point + 4)) {
+  const double cells = whole / (16 * error_px);
+  if (cells <= kFewCells || whole <= kEven * *std::min_element(point, point + 4)) {
     even(u, 1);
     even(v, 1);
     u.height[0] = whole;
     v.height[0] = 1;
     return;
   }
-  even(u, kSteps);
-  even(v, kSteps);
+  const int steps = cells <= kSomeCells ? kSteps / 2 : kSteps;
+  even(u, steps);
+  even(v, steps);
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0;; ++round) {
     Sample g;
@@ -166,11 +172,19 @@ void fit_densities(const ErrorModel& model, Densities& densities) {
   }
 }
 
-int cut(const Density& density, double from, double to, double share, GridLines* lines) {
-  constexpr double kEnd = 1e-12;
+namespace {
+
+constexpr double kEnd = 1e-12;
+
+// cut(); returns with the number of cells the part of the last one's share that was used.
+struct Cut {
+  int cells;
+  double used;
+};
+Cut cut_cells(const Density& density, double from, double to, double share, GridLines* lines) {
   share *= 1 + 1e-9;
   int cells = 0;
-  double start = from;
+  double start = from, used = 1;
   if (lines) lines->at[0] = from;
   int step = 0;
   while (to - start > kEnd && cells < int(kMaxLines) - 1) {
@@ -194,27 +208,37 @@ int cut(const Density& density, double from, double to, double share, GridLines*
     if (to - end <= kEnd) end = to;
     ++cells;
     if (lines) lines->at[cells] = end;
+    if (end == to) used = std::min(largest * (to - start) / share, 1.0);
     start = end;
   }
-  if (to - start > kEnd) return int(kMaxLines);
+  if (to - start > kEnd) return {int(kMaxLines), 1};
   if (cells == 0) {
     cells = 1;
     if (lines) lines->at[1] = to;
   }
   if (lines) lines->count = std::size_t(cells) + 1;
-  return cells;
+  return {cells, used};
+}
+
+}  // namespace
+
+int cut(const Density& density, double from, double to, double share, GridLines* lines) {
+  return cut_cells(density, from, to, share, lines).cells;
 }
 
 double share_for(const Density& density, double from, double to, int cells) {
-  double low = density.integral(from, to) / cells;
-  if (cut(density, from, to, low, nullptr) <= cells) return low;
-  double high = 2 * low;
-  while (cut(density, from, to, high, nullptr) > cells && high < 1e3 * low * cells) high *= 2;
-  for (int i = 0; i < 10; ++i) {
-    const double middle = (low + high) / 2;
-    (cut(density, from, to, middle, nullptr) <= cells ? high : low) = middle;
+  // No more than nearly the least is asked for.
+  constexpr double kStep = 1.002;
+  const double least = density.integral(from, to) / cells;
+  double share = least;
+  for (int i = 0; i < 12; ++i) {
+    const Cut made = cut_cells(density, from, to, share, nullptr);
+    if (made.cells <= cells) return share;
+    // As if all of the density shared the excess.
+    share *= made.cells >= int(kMaxLines) ? 2 : std::max((made.cells - 1 + made.used) / cells, kStep);
   }
-  return high;
+  while (cut(density, from, to, share, nullptr) > cells && share < 1e3 * least * cells) share *= 2;
+  return share;
 }
 
 }  // namespace truequad::kernel

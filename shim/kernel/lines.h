@@ -23,7 +23,8 @@ struct Density {
 struct Densities {
   Density u, v;
 };
-void fit_densities(const ErrorModel& model, Densities& densities);
+// error_px: what lines will be made for; a few cells need no fine steps.
+void fit_densities(const ErrorModel& model, double error_px, Densities& densities);
 
 // Cuts [from, to] into the fewest cells with (width of the cell) (largest height in it) <= share. Returns
 // their number, at most kMaxLines; with more than that, kMaxLines. `lines` may be null.

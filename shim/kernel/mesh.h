@@ -106,21 +106,21 @@ inline Param centre(const Plan& plan, int i, int j) {
           (plan.v.at[std::size_t(j)] + plan.v.at[std::size_t(j) + 1]) / 2};
 }
 
-// Calls f(Node, Node, Node) for each triangle between one side of the quad and the block: a binary tree of them, the
-// outer edge at its root, so that each stands on a base that is half as long as the last.
-template <typename F>
-void for_each_border_triangle(const Block& block, int side, F&& f) {
+// Calls f(p, q, top) for each triangle between one side of the quad and the block, with what vertex(Node) makes of its
+// nodes: a binary tree of them, the outer edge at its root, so that each stands on a base that is half as long as the last.
+template <typename Vertex, typename F>
+void for_each_border_triangle(const Block& block, int side, Vertex&& vertex, F&& f) {
   const Node corner[4] = {{-1, -1}, {block.n + 1, -1}, {block.n + 1, block.m + 1}, {-1, block.m + 1}};
-  const auto stand = [&](auto&& self, Node p, Node q, int first, int last) -> void {
+  const auto stand = [&](auto&& self, const auto& p, const auto& q, int first, int last) -> void {
     if (first > last) return;
     const int t = apex(first, last);
-    const Node top = inner_node(block, side, t);
+    const auto top = vertex(inner_node(block, side, t));
     f(p, q, top);
     self(self, p, top, first, t - 1);
     self(self, top, q, t + 1, last);
   };
   const Chain chain = block.chain(side);
-  stand(stand, corner[side], corner[(side + 1) % 4], chain.first, chain.last);
+  stand(stand, vertex(corner[side]), vertex(corner[(side + 1) % 4]), chain.first, chain.last);
 }
 
 }  // namespace truequad::kernel

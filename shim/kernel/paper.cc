@@ -56,8 +56,8 @@ double projected_area(const ScreenQuad& quad) {
 }
 
 std::array<MeshPoint, 4> points(const ErrorModel& model, const Leaf& leaf) {
-  return {mesh_point(model, leaf.u0, leaf.v0), mesh_point(model, leaf.u1, leaf.v0),
-          mesh_point(model, leaf.u1, leaf.v1), mesh_point(model, leaf.u0, leaf.v1)};
+  return {model.screen.mesh_point(leaf.u0, leaf.v0), model.screen.mesh_point(leaf.u1, leaf.v0),
+          model.screen.mesh_point(leaf.u1, leaf.v1), model.screen.mesh_point(leaf.u0, leaf.v1)};
 }
 
 }  // namespace
@@ -66,7 +66,8 @@ double leaves_bound(const ErrorModel& model, const Plan& plan) {
   double bound = 0;
   for (const Leaf& leaf : std::span(plan.leaves.data(), plan.leaf_count)) {
     const auto [a, b, c, d] = points(model, leaf);
-    bound = std::max({bound, triangle_bound(model, a, b, c, 0, 0), triangle_bound(model, a, c, d, 0, 0)});
+    bound = raised_bound(model, a, b, c, bound, 0);
+    bound = raised_bound(model, a, c, d, bound, 0);
   }
   return bound;
 }
@@ -112,8 +113,8 @@ void plan_paper(const Corners& position, std::span<const Corners> textures, cons
   // A single leaf is drawn by the driver, which may choose the other diagonal.
   if (plan.leaf_count == 1) {
     const auto [a, b, c, d] = points(model, plan.leaves[0]);
-    plan.bound_px =
-        std::max({plan.bound_px, triangle_bound(model, a, b, d, 0, 0), triangle_bound(model, b, c, d, 0, 0)});
+    plan.bound_px = raised_bound(model, a, b, d, plan.bound_px, 0);
+    plan.bound_px = raised_bound(model, b, c, d, plan.bound_px, 0);
   }
   plan.bound_px += budget.snap_px;
   // The published algorithm promises nothing: its leaves keep the tolerance or they do not.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "planners.h"
+#include "verify.h"
 
 namespace truequad {
 namespace {
@@ -38,10 +39,10 @@ void tell_apart(const ErrorModel& model, const Budget& budget, Plan& plan) {
   if (plan.action == Action::kMesh && (texture_px > budget.mesh_px || model.colours.folded)) {
     ErrorModel one = model;
     one.map_count = 0;
-    colour_px = kernel::block_bound(one, budget, plan);
+    colour_px = kernel::block_bound(one, plan, budget.mesh_px);
     one.map_count = model.map_count;
     one.colours.count = 0;
-    texture_px = kernel::block_bound(one, budget, plan);
+    texture_px = kernel::block_bound(one, plan, budget.mesh_px);
   }
   plan.bound_px = model.map_count > 0 ? texture_px + budget.snap_px : 0;
   plan.bound_steps = colour_px / model.colours.px_per_step;
@@ -149,14 +150,14 @@ void bound_mesh(const Corners& position, std::span<const Corners> textures, cons
                        kernel::add_texture_maps(position, textures, model);
     mesh.bound_px = !known                ? std::numeric_limits<double>::infinity()
                     : mesh.leaf_count > 0 ? kernel::leaves_bound(model, mesh)
-                                          : kernel::block_bound(model, budget, mesh);
+                                          : kernel::block_bound(model, mesh, budget.mesh_px);
   }
   mesh.bound_px += budget.snap_px;
   if (!colours.empty() && mesh.leaf_count == 0) {
     ErrorModel model;
     model.rasteriser = kernel::make_rasteriser(view);
     if (kernel::make_screen_quad(position, view, model.screen) && add_colours(position, colours, budget, model)) {
-      mesh.bound_steps = kernel::block_bound(model, budget, mesh) / model.colours.px_per_step;
+      mesh.bound_steps = kernel::block_bound(model, mesh, budget.mesh_px) / model.colours.px_per_step;
     }
   }
   mesh.capped = !(mesh.bound_px <= budget.tolerance_px) || !(mesh.bound_steps <= budget.colour_steps);

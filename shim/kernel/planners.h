@@ -22,9 +22,6 @@ Budget make_budget(const Limits& limits, const View& view);
 // constant nor affine.
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan);
 
-// Largest displacement of a texel by the block or fan of a plan, without the rasteriser's part.
-double block_bound(const ErrorModel& model, const Budget& budget, const Plan& plan);
-
 // The same by the leaves of a plan.
 double leaves_bound(const ErrorModel& model, const Plan& plan);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -21,8 +22,6 @@ constexpr double kEvaluationUnits = 2;
 constexpr double kPositionUnits = 4;
 // Rows of pixels of a triangle that is looked at one by one.
 constexpr double kMostRows = 4096;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
@@ -48,38 +47,26 @@ void SnapMargin::include(const SnapMargin& other) {
 
 namespace {
 
-// The margin from the parameters of the `count` corners of what is visible.
-SnapMargin margin_at(double step, const std::array<MeshPoint, 3>& triangle, const BarycentricWeights& weights,
-                     double gradient_u, double gradient_v, const MeshPoint* visible, std::size_t count) {
-  struct At {
-    double error_u, error_v;  // gradient of the interpolation error
-    double du[2], dv[2];      // steps for both diagonals of the grid's square, but for the factor of w
-  };
-  std::array<At, 9> at;
-  const glm::dvec3 diagonals[2] = {weights.step(step, step), weights.step(step, -step)};
-  double ratio = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto& [u, v, p] = visible[k];
-    at[k] = {v - gradient_u, u - gradient_v, {}, {}};
-    for (int d = 0; d < 2; ++d) {
-      const glm::dvec3 n = p.w * diagonals[d];
-      for (int i = 0; i < 3; ++i) {
-        at[k].du[d] += n[i] * (triangle[i].u - u);
-        at[k].dv[d] += n[i] * (triangle[i].v - v);
-      }
-      ratio = std::max(ratio, std::fabs(n[0] + n[1] + n[2]));
-    }
-  }
+// At one corner of what is visible: the gradient of the interpolation error, and the steps of the parameters for both
+// diagonals of the grid's square, but for the factor of w.
+struct Steps {
+  double error_u, error_v, du[2], dv[2];
+};
+
+// ratio: the largest part of w that a step may take from it.
+template <std::size_t extent>
+SnapMargin margin_of(std::span<const Steps, extent> at, double ratio) {
   if (!(ratio < 1)) return {kInfinity, kInfinity, kInfinity, kInfinity};
   SnapMargin margin;
   margin.w = 1 + ratio;
-  for (std::size_t k = 0; k < count; ++k) {
+  const double grow = 1 / (1 - ratio);
+  for (const Steps& from : at) {
     for (int d = 0; d < 2; ++d) {
-      const double du = at[k].du[d] / (1 - ratio), dv = at[k].dv[d] / (1 - ratio);
+      const double du = from.du[d] * grow, dv = from.dv[d] * grow;
       margin.u = std::max(margin.u, std::fabs(du));
       margin.v = std::max(margin.v, std::fabs(dv));
-      for (std::size_t j = 0; j < count; ++j) {
-        const double grown = std::fabs(at[j].error_u * du + at[j].error_v * dv) + std::fabs(du * dv);
+      for (const Steps& to : at) {
+        const double grown = std::fabs(to.error_u * du + to.error_v * dv) + std::fabs(du * dv);
         if (!(grown <= margin.error)) margin.error = grown;
       }
     }
@@ -89,37 +76,79 @@ SnapMargin margin_at(double step, const std::array<MeshPoint, 3>& triangle, cons
 
 }  // namespace
 
-SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
-                       double gradient_v) {
-  const BarycentricWeights weights({triangle[0].p, triangle[1].p, triangle[2].p});
-  return margin_at(rasteriser.step_px(), triangle, weights, gradient_u, gradient_v, triangle.data(), 3);
+SnapMargin snap_margin(const Rasteriser& rasteriser, const TriangleCorners& corner, const WindowTriangle& window,
+                       double gradient_u, double gradient_v) {
+  const double step = rasteriser.step_px() / window.area;
+  const MeshPoint& origin = *corner[0];
+  double ratio = 0;
+  std::array<Steps, 3> at;
+  for (int k = 0; k < 3; ++k) at[k].error_u = corner[k]->v - gradient_u, at[k].error_v = corner[k]->u - gradient_v;
+  for (int d = 0; d < 2; ++d) {
+    // Steps of the weights' sum and of their means of the parameters, at unit w.
+    double sum = 0, of_u = 0, of_v = 0;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec2& side = window.side[i];
+      const double weight = (d == 0 ? side.x - side.y : -side.x - side.y) * (step * corner[i]->q);
+      sum += weight;
+      of_u += weight * (corner[i]->u - origin.u);
+      of_v += weight * (corner[i]->v - origin.v);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const double w = corner[k]->p.w;
+      at[k].du[d] = w * (of_u - (corner[k]->u - origin.u) * sum);
+      at[k].dv[d] = w * (of_v - (corner[k]->v - origin.v) * sum);
+      const double part = std::fabs(w * sum);
+      if (!(part <= ratio)) ratio = part;
+    }
+  }
+  return margin_of(std::span<const Steps, 3>(at), ratio);
 }
 
-SnapMargin clipped_snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle,
+SnapMargin clipped_snap_margin(const Rasteriser& rasteriser, const TriangleCorners& corner,
                                double gradient_u, double gradient_v, std::span<const ScreenPoint> visible) {
-  const BarycentricWeights weights({triangle[0].p, triangle[1].p, triangle[2].p});
-  std::array<MeshPoint, 9> at;
+  const BarycentricWeights weights({corner[0]->p, corner[1]->p, corner[2]->p});
+  const double step = rasteriser.step_px();
+  const glm::dvec3 diagonals[2] = {weights.step(step, step), weights.step(step, -step)};
+  std::array<Steps, 9> at;
   const std::size_t count = std::min(visible.size(), at.size());
+  double ratio = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const glm::dvec3 b = weights.at(visible[k]);
-    at[k] = {b[0] * triangle[0].u + b[1] * triangle[1].u + b[2] * triangle[2].u,
-             b[0] * triangle[0].v + b[1] * triangle[1].v + b[2] * triangle[2].v, visible[k]};
+    const double u = b[0] * corner[0]->u + b[1] * corner[1]->u + b[2] * corner[2]->u,
+                 v = b[0] * corner[0]->v + b[1] * corner[1]->v + b[2] * corner[2]->v;
+    at[k] = {v - gradient_u, u - gradient_v, {}, {}};
+    for (int d = 0; d < 2; ++d) {
+      const glm::dvec3 n = visible[k].w * diagonals[d];
+      for (int i = 0; i < 3; ++i) {
+        at[k].du[d] += n[i] * (corner[i]->u - u);
+        at[k].dv[d] += n[i] * (corner[i]->v - v);
+      }
+      const double part = std::fabs(n[0] + n[1] + n[2]);
+      if (!(part <= ratio)) ratio = part;
+    }
   }
-  return margin_at(rasteriser.step_px(), triangle, weights, gradient_u, gradient_v, at.data(), count);
+  return margin_of(std::span<const Steps>(at.data(), count), ratio);
 }
 
 bool misses_pixels(const Rasteriser& rasteriser, std::span<const ScreenPoint> polygon) {
   // The vertices, so that centres of pixels are whole numbers.
   std::array<glm::dvec2, 9> at;
   const std::size_t count = std::min(polygon.size(), at.size());
-  double low = kInfinity, high = -kInfinity;
+  glm::dvec2 least(kInfinity), most(-kInfinity);
   for (std::size_t i = 0; i < count; ++i) {
     const ScreenPoint& p = polygon[i];
     if (!(p.w > 0)) return false;
     at[i] = {p.x / p.w + rasteriser.centre_x_px - 0.5, p.y / p.w + rasteriser.centre_y_px - 0.5};
-    low = std::min(low, at[i].y);
-    high = std::max(high, at[i].y);
+    least = glm::min(least, at[i]);
+    most = glm::max(most, at[i]);
   }
+  // Along the shorter extent: rows of a high polygon are as good as columns.
+  if (most.x - least.x < most.y - least.y) {
+    for (std::size_t i = 0; i < count; ++i) std::swap(at[i].x, at[i].y);
+    std::swap(least.x, least.y);
+    std::swap(most.x, most.y);
+  }
+  const double low = least.y, high = most.y;
   const double step = rasteriser.step_px();
   if (!(high - low < kMostRows)) return false;
   for (double row = std::ceil(low - step); row <= high + step; ++row) {
@@ -140,47 +169,47 @@ bool misses_pixels(const Rasteriser& rasteriser, std::span<const ScreenPoint> po
   return true;
 }
 
-std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<SetupVertex, 3>& vertex, bool t_drawn) {
+std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<SetupVertex, 3>& vertex,
+                               const WindowTriangle& window, bool t_drawn) {
   if (rasteriser.exact()) return {};
   using glm::dvec2;
-  const auto edge = [&](int i) {  // from vertex i + 1 to vertex i + 2
-    const SetupVertex &from = vertex[(i + 1) % 3], &to = vertex[(i + 2) % 3];
-    return dvec2(to.x - from.x, to.y - from.y);
-  };
-  const dvec2 side[3] = {edge(0), edge(1), edge(2)};
-  const double area = cross(side[0], side[1]);  // twice the triangle's
-  if (area == 0) return {kInfinity, kInfinity, kInfinity};
+  const auto& side = window.side;
+  if (window.area == 0) return {kInfinity, kInfinity, kInfinity};
+  const double of_area = 1 / window.area;
   // Gradients of the three planes.
   const auto gradient = [&](double SetupVertex::*of) {
     dvec2 g{0, 0};
-    for (int i = 0; i < 3; ++i) g += (vertex[i].*of / area) * dvec2(-side[i].y, side[i].x);
+    for (int i = 0; i < 3; ++i) g += (vertex[i].*of * of_area) * dvec2(-side[i].y, side[i].x);
     return g;
   };
   const dvec2 of_s = gradient(&SetupVertex::s), of_t = gradient(&SetupVertex::t), of_q = gradient(&SetupVertex::q);
   const glm::dvec3 v[3] = {{vertex[0].s, vertex[0].t, vertex[0].q},
                            {vertex[1].s, vertex[1].t, vertex[1].q},
                            {vertex[2].s, vertex[2].t, vertex[2].q}};
-  const double det = std::fabs(glm::dot(v[0], glm::cross(v[1], v[2])) / area);
+  const double det = std::fabs(glm::dot(v[0], glm::cross(v[1], v[2])) * of_area);
   // Pixels per unit of error of s and of t, and the largest s / q and t / q.
   double px_per_s = 0, px_per_t = 0, largest_s = 0, largest_t = 0, plane_s = 0, plane_t = 0, plane_q = 0;
   for (const SetupVertex& p : vertex) {
-    px_per_s = std::max(px_per_s, glm::length(p.q * of_t - p.t * of_q));
-    px_per_t = std::max(px_per_t, glm::length(p.q * of_s - p.s * of_q));
-    largest_s = std::max(largest_s, std::fabs(p.s / p.q));
-    largest_t = std::max(largest_t, std::fabs(p.t / p.q));
+    const dvec2 along_t = p.q * of_t - p.t * of_q, along_s = p.q * of_s - p.s * of_q;
+    px_per_s = std::max(px_per_s, glm::dot(along_t, along_t));
+    px_per_t = std::max(px_per_t, glm::dot(along_s, along_s));
+    const double w = 1 / p.q;
+    largest_s = std::max(largest_s, std::fabs(p.s * w));
+    largest_t = std::max(largest_t, std::fabs(p.t * w));
     plane_s = std::max(plane_s, std::fabs(p.s));
     plane_t = std::max(plane_t, std::fabs(p.t));
     plane_q = std::max(plane_q, std::fabs(p.q));
   }
-  px_per_s /= det;
-  px_per_t = t_drawn ? px_per_t / det : 0;
+  px_per_s = std::sqrt(px_per_s) / det;
+  px_per_t = t_drawn ? std::sqrt(px_per_t) / det : 0;
   const double px_per_q = px_per_s * largest_s + px_per_t * largest_t;
   // An edge's differences of all three planes, each in pixels.
-  double weight[3];
+  double weight[3], length[3];
   for (int i = 0; i < 3; ++i) {
     const SetupVertex &from = vertex[(i + 1) % 3], &to = vertex[(i + 2) % 3];
     weight[i] = px_per_s * std::fabs(to.s - from.s) + px_per_t * std::fabs(to.t - from.t) +
                 px_per_q * std::fabs(to.q - from.q);
+    length[i] = glm::length(side[i]);
   }
   // At each vertex, whichever other one the planes are hung from.
   double thin[3] = {};
@@ -190,8 +219,8 @@ std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<Se
     const double scale = p.x * q.y + p.y * q.x, x = weight[i] * q.y + weight[j] * p.y,
                  y = weight[i] * q.x + weight[j] * p.x;
     // Sides i and j meet at vertex k; side i leads from it to vertex j, side j to vertex i.
-    thin[j] = std::max(thin[j], scale * glm::length(p) + x * p.x + y * p.y);
-    thin[i] = std::max(thin[i], scale * glm::length(q) + x * q.x + y * q.y);
+    thin[j] = std::max(thin[j], scale * length[i] + x * p.x + y * p.y);
+    thin[i] = std::max(thin[i], scale * length[j] + x * q.x + y * q.y);
   }
   const auto plane = [&](const dvec2& g, double largest) {
     return std::fabs(g.x) * rasteriser.reach_x_px + std::fabs(g.y) * rasteriser.reach_y_px + largest;
@@ -200,7 +229,7 @@ std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<Se
   std::array<double, 3> bound;
   for (int i = 0; i < 3; ++i) {
     const double px =
-        rasteriser.rounding * (kSetupUnits * thin[i] / std::fabs(area) + kEvaluationUnits * evaluation);
+        rasteriser.rounding * (kSetupUnits * thin[i] * std::fabs(of_area) + kEvaluationUnits * evaluation);
     bound[i] = px >= 0 ? px : kInfinity;
   }
   return bound;

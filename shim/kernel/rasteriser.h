@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <span>
 
 #include "screen.h"
@@ -21,6 +22,22 @@ struct Rasteriser {
 };
 Rasteriser make_rasteriser(const View& view);
 
+// Values that a rasteriser interpolates over a triangle: a window point, in pixels from the viewport's centre,
+// s and t times q, and q, which is 1 / w times the q of the texture coordinates.
+struct SetupVertex {
+  double x, y, s, t, q;
+};
+// A triangle as set-up sees it.
+struct WindowTriangle {
+  std::array<glm::dvec2, 3> side;  // side i from vertex i + 1 to vertex i + 2
+  double area;                     // twice the triangle's, with sign
+
+  template <typename Point>
+  WindowTriangle(const Point& a, const Point& b, const Point& c)
+      : side{glm::dvec2(c.x - b.x, c.y - b.y), glm::dvec2(a.x - c.x, a.y - c.y), glm::dvec2(b.x - a.x, b.y - a.y)},
+        area(side[0].x * side[1].y - side[0].y * side[1].x) {}
+};
+
 // How far outside of a triangle's own image its pixels may lie, since they are those of the snapped triangle
 // while its values may be interpolated between the vertices before snapping.
 struct SnapMargin {
@@ -31,20 +48,17 @@ struct SnapMargin {
   void include(const SnapMargin& other);
 };
 // gradient_u, gradient_v: of the linear interpolant of uv over the triangle, which is visible as a whole.
-SnapMargin snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle, double gradient_u,
-                       double gradient_v);
+using TriangleCorners = std::array<const MeshPoint*, 3>;
+SnapMargin snap_margin(const Rasteriser& rasteriser, const TriangleCorners& corner, const WindowTriangle& window,
+                       double gradient_u, double gradient_v);
 // The same for a triangle with this visible part.
-SnapMargin clipped_snap_margin(const Rasteriser& rasteriser, const std::array<MeshPoint, 3>& triangle,
+SnapMargin clipped_snap_margin(const Rasteriser& rasteriser, const TriangleCorners& corner,
                                double gradient_u, double gradient_v, std::span<const ScreenPoint> visible);
 
-// Values that a rasteriser interpolates over a triangle: a window point, in pixels from the viewport's centre,
-// s and t times q, and q, which is 1 / w times the q of the texture coordinates.
-struct SetupVertex {
-  double x, y, s, t, q;
-};
 // Largest displacement in pixels, at each vertex, of a texel that the rounding of set-up and evaluation causes. Between
 // the vertices it is no more than their interpolant. t_drawn: false if only s is interpolated.
-std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<SetupVertex, 3>& vertex, bool t_drawn);
+std::array<double, 3> setup_px(const Rasteriser& rasteriser, const std::array<SetupVertex, 3>& vertex,
+                               const WindowTriangle& window, bool t_drawn);
 
 // True if no pixel's centre can be in the convex polygon of these points, wherever its vertices are snapped to.
 bool misses_pixels(const Rasteriser& rasteriser, std::span<const ScreenPoint> polygon);

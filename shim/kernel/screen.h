@@ -14,6 +14,15 @@ namespace truequad::kernel {
 // pixels.
 using ScreenPoint = glm::dvec4;
 
+// A corner of a mesh triangle: parameters and the clip-space point drawn there. Where w > 0 also the window point, in pixels
+// from the viewport's centre, and q = 1 / w.
+struct MeshPoint {
+  double u, v;
+  ScreenPoint p;
+  double x, y, q;
+  unsigned outside;  // its outcode
+};
+
 struct ScreenQuad {
   std::array<ScreenPoint, 4> corner;
   // P(u,v) = corner[0] + along_u u + along_v v + twist uv.
@@ -27,17 +36,16 @@ struct ScreenQuad {
            unsigned(p.y < -half_height * p.w) << 2 | unsigned(p.y > half_height * p.w) << 3 |
            unsigned(p.z < -p.w) << 4 | unsigned(p.z > p.w) << 5;
   }
+  MeshPoint mesh_point(double u, double v) const {
+    const ScreenPoint p = at(u, v);
+    const double q = 1 / p.w;
+    return {u, v, p, p.x * q, p.y * q, q, outcode(p)};
+  }
   // True if no part of the quad, nor of any mesh of it, can be inside the clip volume.
   bool invisible() const;
   // True if the ends of the edge from corner i to the next are so near on the screen that nothing along it
   // can be told apart.
   bool collapsed_edge(int i) const;
-};
-
-// A corner of a mesh triangle: parameters and the clip-space point drawn there.
-struct MeshPoint {
-  double u, v;
-  ScreenPoint p;
 };
 
 // Weights of a triangle's corners, which sum to 1, at any homogeneous point of its plane.

@@ -75,9 +75,9 @@ void write_block(const Plan& plan, std::span<Param> vertices, std::span<Triangle
   }
   for (int side = 0; side < 4; ++side) {
     if (block.flush[side]) continue;
-    kernel::for_each_border_triangle(block, side, [&](Node a, Node b, Node c) {
-      triangles[triangle++] = {number.node(a), number.node(b), number.node(c)};
-    });
+    kernel::for_each_border_triangle(
+        block, side, [&](Node node) { return number.node(node); },
+        [&](std::uint16_t a, std::uint16_t b, std::uint16_t c) { triangles[triangle++] = {a, b, c}; });
   }
 }
 

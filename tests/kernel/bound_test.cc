@@ -72,10 +72,10 @@ TEST(Cell, IsNoBetterThanItsTrianglesWhereverItsCentreIs) {
     std::uniform_real_distribution<double> unit(0.05, 0.95);
     const auto [u0, u1] = std::minmax({unit(engine), unit(engine)});
     const auto [v0, v1] = std::minmax({unit(engine), unit(engine)});
-    const std::array<kernel::MeshPoint, 4> corner{mesh_point(model, u0, v0), mesh_point(model, u1, v0),
-                                                  mesh_point(model, u1, v1), mesh_point(model, u0, v1)};
+    const std::array<kernel::MeshPoint, 4> corner{model.screen.mesh_point(u0, v0), model.screen.mesh_point(u1, v0),
+                                                  model.screen.mesh_point(u1, v1), model.screen.mesh_point(u0, v1)};
     const kernel::MeshPoint centre =
-        mesh_point(model, u0 + (u1 - u0) * unit(engine), v0 + (v1 - v0) * unit(engine));
+        model.screen.mesh_point(u0 + (u1 - u0) * unit(engine), v0 + (v1 - v0) * unit(engine));
     double worst = 0;
     for (int i = 0; i < 4; ++i) {
       const Mesh mesh{{{corner[i].u, corner[i].v}, {corner[(i + 1) % 4].u, corner[(i + 1) % 4].v}, {centre.u, centre.v}},
