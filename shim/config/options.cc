@@ -55,6 +55,12 @@ bool parse_overlay(std::string_view text, Options& options) {
   return choose(text, kSwitch, options.overlay);
 }
 
+bool parse_dl(std::string_view text, Options& options) {
+  constexpr std::pair<std::string_view, DynamicLinker> kLevels[] = {
+      {"off", DynamicLinker::kOff}, {"dlsym", DynamicLinker::kDlsym}, {"dlopen", DynamicLinker::kDlopen}};
+  return choose(text, kLevels, options.dl);
+}
+
 // A relative path means the folder in which the program was started, wherever it goes later.
 bool parse_stats(std::string_view text, Options& options) {
   if (text.empty()) return false;
@@ -83,6 +89,8 @@ constexpr std::array kRows = {
               "where statistics are written (JSON) when the program ends", parse_stats},
     OptionRow{"overlay", "TRUEQUAD_OVERLAY", "0", "0 or 1", "draw the mesh over corrected quadrilaterals",
               parse_overlay},
+    OptionRow{"dl", "TRUEQUAD_DL", "dlsym", "off, dlsym or dlopen",
+              "which of the dynamic linker's functions lead to truequad", parse_dl},
 };
 
 }  // namespace

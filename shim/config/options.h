@@ -9,6 +9,9 @@
 
 namespace truequad {
 
+// Which functions of the dynamic linker find our doors: none, dlsym(3), or dlopen(3) too.
+enum class DynamicLinker : unsigned char { kOff, kDlsym, kDlopen };
+
 struct Options {
   static constexpr int kPathSize = 4096;
 
@@ -16,6 +19,7 @@ struct Options {
   Mode mode = Mode::kBilinear;
   double tolerance_px = 0.25;
   bool overlay = false;
+  DynamicLinker dl = DynamicLinker::kDlsym;
   // Where the statistics go: absolute path, "-" for stderr, empty for nowhere.
   char stats_path[kPathSize] = "";
 };

@@ -12,6 +12,8 @@
 
 #include "config/log.h"
 #include "config/options.h"
+#include "doors/dynamic_linker.h"
+#include "doors/loaded.h"
 
 namespace truequad {
 namespace {
@@ -43,15 +45,17 @@ const Interface& interface_of(Api api) { return kInterfaces[std::size_t(api)]; }
 
 constinit thread_local bool looking_up = false;
 
-// Where the library of an address is loaded, or null.
-const void* base_of(const void* address) {
-  Dl_info info;
-  return dladdr(address, &info) ? info.dli_fbase : nullptr;
+void* symbol_in(void* library, const char* name) { return real_dlsym()(library, name); }
+
+// The loaded library that an address belongs to, or null. dladdr(3) would look through all its symbols.
+const link_map* library_at(const void* address) {
+  dl_find_object found;
+  return _dl_find_object(const_cast<void*>(address), &found) == 0 ? found.dlfo_link_map : nullptr;
 }
 
 // The function, unless it is our own: calling that would never end.
 void* unless_ours(void* function, const char* name) {
-  if (!function || base_of(function) != base_of(&kInterfaces)) return function;
+  if (!function || !is_ours(function)) return function;
   static constinit std::atomic<bool> said = false;
   options();  // whether anything shall be said
   if (!said.exchange(true)) log_warning("%s of the driver leads back to truequad; looking elsewhere", name);
@@ -61,7 +65,7 @@ void* unless_ours(void* function, const char* name) {
 // What follows us in the global scope. Libraries of the program may have variables of the same name, for pointers that
 // getProcAddress gave; only functions count.
 void* follower(const char* name) {
-  void* function = unless_ours(dlsym(RTLD_NEXT, name), name);
+  void* function = unless_ours(symbol_in(RTLD_NEXT, name), name);
   Dl_info info;
   void* entry = nullptr;
   if (!function || !dladdr1(function, &info, &entry, RTLD_DL_SYMENT) || !entry) return nullptr;
@@ -69,13 +73,13 @@ void* follower(const char* name) {
   return ELF64_ST_TYPE(static_cast<const ElfW(Sym)*>(entry)->st_info) == STT_FUNC ? function : nullptr;
 }
 
-void* loaded_library(const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL | RTLD_NOLOAD); }
+void* loaded_library(const char* name) { return real_dlopen()(name, RTLD_LAZY | RTLD_LOCAL | RTLD_NOLOAD); }
 
 void* in_libraries(Api api, const char* name) {
   for (const char* library_name : interface_of(api).libraries) {
-    void* library = loaded_library(library_name);
+    void* library = is_loaded(library_name) ? loaded_library(library_name) : nullptr;
     if (!library) continue;
-    if (void* function = unless_ours(dlsym(library, name), name)) return function;
+    if (void* function = unless_ours(symbol_in(library, name), name)) return function;
     dlclose(library);
   }
   return nullptr;
@@ -88,42 +92,50 @@ void* library_of(Api api) {
   if (void* library = slot.load(std::memory_order_relaxed)) return library;
   const char* make_current = interface_of(api).make_current;
   void* function = make_current ? next_symbol(api, make_current) : nullptr;
-  Dl_info info;
-  if (!function || !dladdr(function, &info) || !info.dli_fname) return nullptr;
-  void* library = loaded_library(info.dli_fname);
+  const link_map* map = function ? library_at(function) : nullptr;
+  if (!map) return nullptr;
+  void* library = loaded_library(map->l_name);
   // Another thread may have stored the same handle; it is then counted twice, and stays open just so.
   slot.store(library, std::memory_order_relaxed);
   return library;
 }
 
-// True if the library at `base` holds the commands of an API.
-bool serves(Api api, const void* base) {
+// True if a library holds the commands of an API.
+bool serves(Api api, const link_map* library) {
   const void* make_current = next_symbol(api, interface_of(api).make_current);
-  if (make_current && base_of(make_current) == base) return true;
+  if (make_current && library_at(make_current) == library) return true;
   for (const char* library_name : interface_of(api).libraries) {
-    void* library = loaded_library(library_name);
-    if (!library) continue;
+    // There may be two of a name; the first is the one that our calls go to.
+    void* loaded = name_of(library) == library_name ? loaded_library(library_name) : nullptr;
+    if (!loaded) continue;
     const link_map* map = nullptr;
-    const void* found = dlinfo(library, RTLD_DI_LINKMAP, &map) == 0 ? base_of(map->l_ld) : nullptr;
-    dlclose(library);
-    if (found && found == base) return true;
+    const bool same = dlinfo(loaded, RTLD_DI_LINKMAP, &map) == 0 && map == library;
+    dlclose(loaded);
+    if (same) return true;
+  }
+  return false;
+}
+
+bool serves_any(const link_map* library) {
+  for (Api api : kRealApis) {
+    if (serves(api, library)) return true;
   }
   return false;
 }
 
 // True if a function is the same command of another API's library: it would draw into that one's context.
 bool is_foreign(Api api, const void* function) {
-  const void* base = base_of(function);
-  if (serves(api, base)) return false;
+  const link_map* library = library_at(function);
+  if (!library || serves(api, library)) return false;
   for (Api other : kRealApis) {
-    if (other != api && serves(other, base)) return true;
+    if (other != api && serves(other, library)) return true;
   }
   return false;
 }
 
 // True for what a program without a handle finds: it is ours, or of a hook before us that leads to us. (A second copy
 // of this library, and a driver that looks for itself in the global scope, would send each other round for ever.)
-bool leads_to_us(const void* function, const char* name) { return function == dlsym(RTLD_DEFAULT, name); }
+bool leads_to_us(const void* function, const char* name) { return function == symbol_in(RTLD_DEFAULT, name); }
 
 // What the API's getProcAddress says.
 void* ask(Api api, const char* name) {
@@ -145,6 +157,22 @@ void* ask(Api api, const char* name) {
 
 bool is_looking_up() { return looking_up; }
 
+bool is_ours(const void* address) { return library_at(address) == library_at(&kInterfaces); }
+
+bool is_behind_us(const char* name) {
+  if (follower(name)) return true;
+  for (Api api : kRealApis) {
+    if (in_libraries(api, name)) return true;
+  }
+  return false;
+}
+
+bool leads_to_driver(const char* name, const void* function) {
+  const link_map* library = library_at(function);
+  const void* next = follower(name);
+  return library && ((next && library_at(next) == library) || serves_any(library));
+}
+
 void* next_symbol(Api api, const char* name) {
   if (void* function = follower(name)) return function;
   return in_libraries(api, name);
@@ -155,7 +183,7 @@ void* command_symbol(Api api, const char* name) {
   void* function = follower(name);
   if (function && !is_foreign(api, function)) return function;
   if (void* library = library_of(api)) {
-    if ((function = unless_ours(dlsym(library, name), name))) return function;
+    if ((function = unless_ours(symbol_in(library, name), name))) return function;
   }
   if ((function = ask(api, name))) return function;
   return in_libraries(api, name);

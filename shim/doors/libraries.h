@@ -23,6 +23,15 @@ void* command_symbol(Api api, const char* name);
 // A function of the API itself (glX…, egl…, OSMesa…), extensions included. Null if there is none.
 void* interface_symbol(Api api, const char* name);
 
+// True if an address is in this library.
+bool is_ours(const void* address);
+
+// True if the process has a function `name` besides our own, in the global scope or in a library of any API.
+bool is_behind_us(const char* name);
+
+// True if `function` is in a library that the calls of our door `name` go to: one of an API, or a hook behind us.
+bool leads_to_driver(const char* name, const void* function);
+
 // True while this thread looks for a real function: our getProcAddress doors then show what is behind them.
 bool is_looking_up();
 

@@ -41,14 +41,16 @@ TEST(Command, ReturnsTheStatusOfTheProgram) {
 }
 
 TEST(Command, HandsItsSettingsOver) {
-  const std::string show = "echo \"$TRUEQUAD_MODE|$TRUEQUAD_TOLERANCE|$TRUEQUAD_STATS|$TRUEQUAD_OVERLAY|$TRUEQUAD_LOG\"";
+  const std::string show = "echo \"$TRUEQUAD_MODE|$TRUEQUAD_TOLERANCE|$TRUEQUAD_STATS|$TRUEQUAD_OVERLAY|$TRUEQUAD_LOG|$TRUEQUAD_DL\"";
   const std::map<std::string, std::string> none = {{"TRUEQUAD_MODE", ""},    {"TRUEQUAD_TOLERANCE", ""},
                                                    {"TRUEQUAD_STATS", ""},   {"TRUEQUAD_OVERLAY", ""},
-                                                   {"TRUEQUAD_LOG", ""}};
-  EXPECT_EQ(truequad({"sh", "-c", show}, none).out, "||||\n");
+                                                   {"TRUEQUAD_LOG", ""},     {"TRUEQUAD_DL", ""}};
+  EXPECT_EQ(truequad({"sh", "-c", show}, none).out, "|||||\n");
+  EXPECT_EQ(truequad({"--no-dl", "sh", "-c", show}, none).out, "|||||off\n");
+  EXPECT_EQ(truequad({"--dl", "dlopen", "sh", "-c", show}, none).out, "|||||dlopen\n");
   EXPECT_EQ(truequad({"--mode", "auto", "--tolerance", "0.5", "--stats", "a b", "--overlay", "sh", "-c", show}, none).out,
-            "auto|0.5|a b|1|\n");
-  EXPECT_EQ(truequad({"--mode=paper", "--tolerance=2", "--stats=-", "sh", "-c", show}, none).out, "paper|2|-||\n");
+            "auto|0.5|a b|1||\n");
+  EXPECT_EQ(truequad({"--mode=paper", "--tolerance=2", "--stats=-", "sh", "-c", show}, none).out, "paper|2|-|||\n");
   // What the environment says holds unless the command line says otherwise.
   EXPECT_EQ(truequad({"--mode", "off", "sh", "-c", show}, {{"TRUEQUAD_MODE", "paper"}, {"TRUEQUAD_TOLERANCE", "3"}}).out
                 .substr(0, 6),
@@ -103,6 +105,7 @@ TEST(Command, RefusesBadArguments) {
   }
   expect_complaint(truequad({"--stats", "", "true"}), 2, "--stats");
   expect_complaint(truequad({"--overlay=maybe", "true"}), 2, "--overlay");
+  expect_complaint(truequad({"--dl", "on", "true"}), 2, "--dl");
 }
 
 TEST(Command, SaysAsAShellWhenTheProgramCannotRun) {

@@ -68,11 +68,13 @@ std::string line(const Lines& printed) {
 // ---- getProcAddress ---------------------------------------------------------------------------------------------------
 
 std::set<std::string> exported_names() {
-  std::set<std::string> names = {
+  // An initializer list of strings would keep the compiler busy for minutes.
+  static constexpr const char* kCommands[] = {
 #define TQ_COMMAND(name, result, parameters, arguments) "gl" #name,
 #include "gl_commands.inc"
 #undef TQ_COMMAND
   };
+  std::set<std::string> names(std::begin(kCommands), std::end(kCommands));
   std::ifstream others(TRUEQUAD_OTHER_EXPORTS);
   for (std::string name; std::getline(others, name);) {
     if (name.starts_with("glX") || name.starts_with("egl") || name.starts_with("OSMesa")) names.insert(name);

@@ -14,10 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 const std::string kLibrary = TRUEQUAD_PRELOAD, kDriver = TRUEQUAD_SMALL_DRIVER;
 
+// Without the door of dlsym(), which shows only what the driver has: here all of our doors are called.
 Ended small_program(const std::string& preload, const std::vector<std::string>& arguments, const std::string& log = "") {
   std::vector<std::string> words = {TRUEQUAD_SMALL_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run(words, {{"LD_PRELOAD", preload}, {"TRUEQUAD_LOG", log}});
+  return run(words, {{"LD_PRELOAD", preload}, {"TRUEQUAD_LOG", log}, {"TRUEQUAD_DL", "off"}});
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -49,6 +50,18 @@ TEST(SmallDriver, WhatItLacksDoesNothingAndIsSaidOnce) {
   std::sort(said.begin(), said.end());
   const auto twice = std::adjacent_find(said.begin(), said.end());
   EXPECT_EQ(twice, said.end()) << *twice;
+}
+
+// Asked by dlsym() in the global scope, a name that no library has is not there, and so dlerror() says.
+TEST(SmallDriver, WhatItLacksIsNotThereForDlsym) {
+  for (const auto& [preload, check] : {std::pair(kLibrary, "nothing"), {kLibrary + ":" + kDriver, "own"}}) {
+    const Ended natively = run({TRUEQUAD_SMALL_PROGRAM, check}, {{"LD_PRELOAD", check == std::string("own") ? kDriver : ""}});
+    EXPECT_EQ(natively.status, 0) << natively.out;
+    const Ended ended = run({TRUEQUAD_SMALL_PROGRAM, check}, {{"LD_PRELOAD", preload}});
+    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+    EXPECT_EQ(ended.out, natively.out);
+    EXPECT_EQ(ended.err, "");
+  }
 }
 
 TEST(SmallDriver, NothingIsSaidIfThatIsWanted) {

@@ -2,6 +2,8 @@
 // it saw is right. With the library preloaded every name of the registry is there.
 //   none       no driver at all: every command is called with zeros
 //   no-window  no driver at all: contexts are created and made current in vain, twice
+//   nothing    no driver at all: dlsym() knows no command, and says why
+//   own        the small driver: dlsym() knows its eight commands
 //   all        the small driver: every command but Begin, End and the lists' is called with zeros, twice
 //   quads      the small driver: quads that are not affine, between Begin and End
 //   contexts N the small driver: N contexts are created, made current, drawn into, given a list, and destroyed
@@ -51,6 +53,28 @@ bool call_all() {
 #include "gl_commands.inc"
 #undef TQ_COMMAND
   return good;
+}
+
+// The number of commands that dlsym() knows; dlerror() has something to say exactly if it does not.
+bool has_commands(int expected) {
+  int count = 0;
+  bool good = true;
+  for (const char* name : {
+#define TQ_COMMAND(name, result, parameters, arguments) "gl" #name,
+#include "gl_commands.inc"
+#undef TQ_COMMAND
+       }) {
+    dlerror();
+    const bool known = dlsym(RTLD_DEFAULT, name) != nullptr;
+    if (known == (dlerror() != nullptr)) std::printf("%s: dlerror is wrong\n", name), good = false;
+    void* const program = dlopen(nullptr, RTLD_LAZY);
+    dlerror();
+    if (known != (dlsym(program, name) != nullptr)) std::printf("%s: the program's handle differs\n", name), good = false;
+    if (known == (dlerror() != nullptr)) std::printf("%s: dlerror is wrong by handle\n", name), good = false;
+    count += known;
+  }
+  std::printf("%d commands\n", count);
+  return good && count == expected;
 }
 
 // The commands as a program has them.
@@ -141,6 +165,8 @@ int main(int argc, char** argv) {
   const std::string check = argc > 1 ? argv[1] : "";
   if (check == "none") return call_all() ? 0 : 1;
   if (check == "no-window") return refuse_contexts() && refuse_contexts() ? 0 : 1;
+  if (check == "nothing") return has_commands(0) ? 0 : 1;
+  if (check == "own") return has_commands(8) ? 0 : 1;
   if (check == "all") return call_all() && call_all() ? 0 : 1;
   if (check == "quads") return check_quads() ? 0 : 1;
   if (check == "contexts" && argc == 3) return check_contexts(std::atoi(argv[2])) ? 0 : 1;

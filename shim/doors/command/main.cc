@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "truequad " TRUEQUAD_VERSION);
   app.prefix_command();  // the first word that is no option of ours begins the program's own
   std::map<std::string, std::string> settings;
-  bool overlay = false;
+  bool overlay = false, no_dl = false;
+  app.add_flag("--no-dl", no_dl, "The same as --dl off");
   for (const truequad::OptionRow& row : truequad::option_rows()) {
     const std::string name = "--" + std::string(row.name);
     const std::string help = std::string(row.help) + ": " + std::string(row.accepts);
@@ -95,6 +96,7 @@ int main(int argc, char** argv) {
   if (const char* others = std::getenv("LD_PRELOAD"); others && *others) preload += std::string(":") + others;
   ::setenv("LD_PRELOAD", preload.c_str(), 1);
   if (overlay) ::setenv("TRUEQUAD_OVERLAY", "1", 1);
+  if (no_dl) settings["TRUEQUAD_DL"] = "off";
   for (const auto& [variable, text] : settings) ::setenv(variable.c_str(), text.c_str(), 1);
   return become(words);
 }

@@ -1,0 +1,1 @@
+extern "C" [[gnu::visibility("default")]] int layer() { return 3; }
