@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "capture/capture.h"
+#include "capture/list_compile.h"
 #include "capture/list_play.h"
 #include "config/log.h"
 #include "config/options.h"
@@ -46,7 +47,7 @@ void settle() { barrier(entry); }
 
 void made_current(Api api, const void* context) {
   // A thread may release an API that is not the one it draws with.
-  if (!context && entry.driver != driver_of(api)) return;
+  if (!context && real_driver(entry) != driver_of(api)) return;
   context_made_current(entry, context, driver_of(api));
 }
 
