@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "capture/capture.h"
+#include "config/write.h"
 
 namespace truequad {
 namespace {
@@ -140,30 +141,21 @@ void write_json(const Counters& sum, const Options& settings, Writer& out) {
   out.text("}\n");
 }
 
-bool write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = ::write(file, text.data(), text.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    text.remove_prefix(n);
-  }
-  return true;
-}
-
 bool write_to(const char* path, std::string_view text, int flags) {
   const int file = ::open(path, O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
   if (file < 0) return false;
-  const bool complete = write_all(file, text);
+  const bool complete = write_whole(file, text);
   const int error = errno;
   const bool closed = ::close(file) == 0;
   if (!complete) errno = error;
   return complete && closed;
 }
 
-// A reader never sees half a file: a regular file is replaced at once. Devices and pipes are written into.
+// A reader never sees half a file: a regular file is replaced at once. Devices and pipes are written into; a pipe that nobody
+// reads must not keep the program from ending.
 bool write_file(const char* path, std::string_view text) {
   struct stat there;
-  if (::stat(path, &there) == 0 && !S_ISREG(there.st_mode)) return write_to(path, text, 0);
+  if (::stat(path, &there) == 0 && !S_ISREG(there.st_mode)) return write_to(path, text, O_NONBLOCK);
   char temporary[Options::kPathSize + 32];
   std::snprintf(temporary, sizeof temporary, "%s.tmp%d", path, int(::getpid()));
   if (!write_to(temporary, text, O_TRUNC)) return false;
@@ -240,7 +232,7 @@ void process_ends() {
   Writer json;
   write_json(sum, settings, json);
   if (std::string_view(settings.stats_path) == "-") {
-    write_all(STDERR_FILENO, json.all());
+    write_whole(STDERR_FILENO, json.all());
   } else {
     char path[Options::kPathSize + 16];
     std::snprintf(path, sizeof path, child ? "%s.%d" : "%s", settings.stats_path, int(::getpid()));

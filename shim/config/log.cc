@@ -7,6 +7,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "config/write.h"
+
 namespace truequad {
 
 constinit std::atomic<LogLevel> log_level{LogLevel::kWarning};
@@ -22,7 +24,7 @@ void write_line(const char* format, std::va_list arguments) {
   if (length >= 0) {
     const int end = kPrefix + std::min(length, room - 1);
     line[end] = '\n';
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line, end + 1);
+    write_whole(STDERR_FILENO, {line, std::size_t(end + 1)});
   }
   errno = host_errno;
 }

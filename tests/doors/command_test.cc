@@ -51,6 +51,7 @@ TEST(Command, HandsItsSettingsOver) {
   EXPECT_EQ(truequad({"--mode", "auto", "--tolerance", "0.5", "--stats", "a b", "--overlay", "sh", "-c", show}, none).out,
             "auto|0.5|a b|1||\n");
   EXPECT_EQ(truequad({"--mode=paper", "--tolerance=2", "--stats=-", "sh", "-c", show}, none).out, "paper|2|-|||\n");
+  EXPECT_EQ(truequad({"--log", "quiet", "sh", "-c", show}, none).out, "||||quiet|\n");
   // What the environment says holds unless the command line says otherwise.
   EXPECT_EQ(truequad({"--mode", "off", "sh", "-c", show}, {{"TRUEQUAD_MODE", "paper"}, {"TRUEQUAD_TOLERANCE", "3"}}).out
                 .substr(0, 6),
@@ -106,6 +107,10 @@ TEST(Command, RefusesBadArguments) {
   expect_complaint(truequad({"--stats", "", "true"}), 2, "--stats");
   expect_complaint(truequad({"--overlay=maybe", "true"}), 2, "--overlay");
   expect_complaint(truequad({"--dl", "on", "true"}), 2, "--dl");
+  for (const char* level : {"loud", "", "Quiet"}) expect_complaint(truequad({"--log", level, "true"}), 2, "--log");
+  expect_complaint(truequad({"--stats", std::string(5000, 'x'), "true"}), 2, "--stats");
+  // Twice is no decision.
+  expect_complaint(truequad({"--mode", "off", "--mode", "auto", "true"}), 2, "--mode");
 }
 
 TEST(Command, SaysAsAShellWhenTheProgramCannotRun) {

@@ -2,6 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "run.h"
@@ -125,13 +132,44 @@ TEST(Statistics, OfARelativePathStayWhereTheProgramStarted) {
   expect_quads(scratch / "here", 2);
 }
 
+// Not there, a directory, a full disk, a pipe that nobody reads, a file below a file.
 TEST(Statistics, ThatCannotBeWrittenCostOneLine) {
   const Scratch scratch;
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  std::ofstream(scratch / "file") << "text";
+  for (const std::string& path : {(scratch / "missing/directory").string(), scratch.path().string(), std::string("/dev/full"),
+                                 (scratch / "pipe").string(), (scratch / "file/below").string()}) {
+    for (const char* end : {"return", "_exit"}) {
+      const Ended ended = ending({"2", end}, path);
+      EXPECT_EQ(ended.status, 3) << path;
+      EXPECT_THAT(ended.err, ::testing::StartsWith("truequad: cannot write the statistics to " + path));
+      EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    }
+  }
+  EXPECT_EQ(read_file(scratch / "file"), "text");
+  EXPECT_EQ(files_in(scratch), 2);  // nothing half written is left
+}
+
+// Whoever read the program's stderr went away. The program, which writes nothing there, ends as it would.
+TEST(Statistics, DoNotEndAProgramWhoseStandardErrorNobodyReads) {
   for (const char* end : {"return", "_exit"}) {
-    const Ended ended = ending({"2", end}, scratch / "missing/directory");
-    EXPECT_EQ(ended.status, 3);
-    EXPECT_THAT(ended.err, ::testing::StartsWith("truequad: "));
-    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    const std::string command = std::string("exec '" TRUEQUAD_COMMAND "' --stats - '" TRUEQUAD_ENDING "' 2 ") + end;
+    int ends[2];
+    ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::close(ends[0]);
+      ::signal(SIGPIPE, SIG_DFL);
+      ::dup2(ends[1], STDERR_FILENO);
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(99);
+    }
+    ::close(ends[0]);
+    ::close(ends[1]);
+    int state = 0;
+    ASSERT_EQ(::waitpid(child, &state, 0), child);
+    EXPECT_TRUE(WIFEXITED(state)) << "ended by signal " << WTERMSIG(state);
+    EXPECT_EQ(WEXITSTATUS(state), 3);
   }
 }
 
