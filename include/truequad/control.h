@@ -7,8 +7,8 @@
  *
  * Settings belong to the thread that sets them. A thread begins with those of the environment (TRUEQUAD_MODE,
  * TRUEQUAD_TOLERANCE), with all primitives on, and keeps its own whatever context it makes current. A setting takes effect at the
- * thread's next glBegin, so one that is made between glBegin and glEnd leaves that primitive as it is; a display list that is called
- * is drawn by the settings of the call. A list that was compiled while its quads were off is the driver's, for good.
+ * thread's next glBegin, draw from arrays or glRect, so one that is made between glBegin and glEnd leaves that primitive as it is; a
+ * display list that is called is drawn by the settings of the call. A list that was compiled while its quads were off is the driver's, for good.
  * Several passes over the same vertices land on the same depths only if all are drawn with the same settings: change them between
  * frames.
  *
