@@ -30,18 +30,22 @@ constexpr int kMaxSliverRounds = 3;
 constexpr double kMargin = 1 - 1e-6;
 // The same for what a rasteriser usually adds.
 constexpr double kRasteriserMargin = 0.99;
-// Part of the aim that corrected insets are made for.
+// The same for corrected lines.
 constexpr double kGoal = 0.99;
+// And for insets: they cost next to nothing, and a triangle well within the limit is proven so with few halvings.
+constexpr double kInsetMargin = 0.92;
 // Rounds that correct insets alone.
 constexpr int kMaxSideRounds = 8;
 // By so much less in each of them.
 constexpr double kGoalStep = 0.005;
 // Insets that move by more than this together ask for other lines.
-constexpr double kMoved = 0.02;
+constexpr double kMoved = 0.05;
 // Part of the error that lines are made for next when those chosen have slivers.
 constexpr double kSliverStep = 0.97;
 constexpr int kMaxSame = 16;
-constexpr int kMaxApexRounds = 3;
+// Slivers by chance differ by more than this from lines to lines.
+constexpr double kAlike = 0.1;
+constexpr int kMaxApexRounds = 2;
 
 double two_triangles(const ErrorModel& model, const std::array<MeshPoint, 4>& c, double limit_px) {
   double bound = 0;
@@ -194,7 +198,7 @@ class BlockSearch {
         cap_(folded_ ? std::min(budget.max_triangles, kFoldedTriangles) : budget.max_triangles),
         aim_px_(budget.mesh_px),
         lines_px_((model.rasteriser.exact() ? kMargin : kRasteriserMargin) * aim_px_) {
-    shrink_.fill(lines_px_ / aim_px_);
+    shrink_.fill(model.rasteriser.exact() ? kMargin : kInsetMargin);
   }
 
   // Sets lines, triangles and bound_px; returns false if not even the smallest block fits under the cap.
@@ -202,18 +206,10 @@ class BlockSearch {
     if (cap_ < kSmallestBlock) return false;
     fit_densities(model_, aim_px_, densities_);
     apex_ = {median(densities_.u), median(densities_.v), median(densities_.u), median(densities_.v)};
-    std::size_t columns = 0, rows = 0;  // of the last mesh that failed
     for (int round = 0; round < kMaxRounds; ++round) {
-      if (!choose()) continue;
-      // Other lines are meant, if need be for an error that is smaller yet.
-      for (int i = 0; i < kMaxSame && plan_.u.count == columns && plan_.v.count == rows; ++i) {
-        lines_px_ *= kSliverStep;
-        if (!choose()) break;
-      }
-      columns = plan_.u.count;
-      rows = plan_.v.count;
+      if (!(round == 0 || at_cap_ ? choose() : choose_others())) continue;
       // Sides first: they are few triangles, and cheap to correct.
-      const bool sides_keep = correct_sides();
+      const bool sides_keep = settle_sides();
       const BlockVerdict block = verify_block(model_, plan_, aim_px_);
       if (sides_keep && block.all_keep) {
         plan_.triangles = Block(plan_).triangles();
@@ -275,6 +271,37 @@ class BlockSearch {
     kernel::move_ends(plan_.v, inset_[0], 1 - inset_[2]);
   }
 
+  // Other numbers of lines, if need be for an error that is smaller yet.
+  bool choose_others() {
+    const std::size_t columns = plan_.u.count, rows = plan_.v.count;
+    for (int i = 0; i < kMaxSame; ++i, lines_px_ *= kSliverStep) {
+      if (!choose()) return false;
+      if (plan_.u.count != columns || plan_.v.count != rows) break;
+    }
+    return true;
+  }
+
+  // Slivers along a side that no inset helps may be none with other lines.
+  bool settle_sides() {
+    if (correct_sides()) return true;
+    if (at_cap_ || folded_ || reachable_) return false;
+    const double lines_px = lines_px_;
+    const Insets shrink = shrink_;
+    for (int i = 0; i < kMaxSliverRounds; ++i) {
+      const double before_px = sides_px_;
+      lines_px_ *= kSliverStep;
+      shrink_ = shrink;
+      if (!choose_others()) break;
+      if (correct_sides()) return true;
+      // Not by chance, then.
+      if (std::fabs(sides_px_ - before_px) < kAlike * before_px) break;
+    }
+    if (at_cap_) return false;
+    lines_px_ = lines_px;
+    shrink_ = shrink;
+    return choose() && correct_sides();
+  }
+
   bool correct_sides() {
     reachable_ = true;
     for (int round = 0; round < kMaxSideRounds; ++round) {
@@ -288,7 +315,7 @@ class BlockSearch {
         keep = false;
         if (folded_ && of.worst.px() == kInfinity) continue;
         // Less is asked for each time, or two sides might take turns.
-        const double change = inset_change(of.worst, (kGoal - kGoalStep * round) * aim_px_, reachable_);
+        const double change = inset_change(of.worst, (kInsetMargin - kGoalStep * round) * aim_px_, reachable_);
         shrink_[side] *= change;
         changed |= change != 1;
       }

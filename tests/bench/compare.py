@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
 """Runs the benchmark without and with truequad in turn, and prints the ratio of the times of each case.
 
-    compare.py BENCH LIBTRUEQUAD [--rounds N] [--only PREFIX] [--check]
+    compare.py BENCH LIBTRUEQUAD [--rounds N] [--only PREFIX] [--check | --instructions]
 
-Both runs of a round follow each other, so that a machine that slows down slows both. Noise only ever adds time:
-requirements (--check) are put to the ratio of the best times; medians are printed beside them.
+Both runs of a round follow each other, so that a machine that slows down slows both. Noise only ever adds time: requirements
+(--check) are put to the ratio of the best times; medians are printed beside them. Many short samples find the undisturbed time
+of either side where few long ones find none: on a busy machine hardly any 50 ms pass without a disturbance. Their number is
+fixed, the same for both, and no sample is taken again because of what it showed.
+
+--instructions counts them by valgrind's callgrind instead, which no noise disturbs: the difference of a long and a short run.
 """
 import argparse
 import json
 import os
+import re
 import statistics
 import subprocess
 import sys
@@ -20,16 +25,47 @@ PER_ITERATION = 1000
 LIMITS = {"affine": 1.6, "triangles": 1.05}
 
 
-def run(options, preload, stats):
+def environment_for(preload, stats):
     environment = dict(os.environ, GALLIUM_NOOP="1", TRUEQUAD_STATS=stats)
     environment.pop("LD_PRELOAD", None)
     if preload:
         environment["LD_PRELOAD"] = preload
+    return environment
+
+
+def run(options, preload, stats):
     command = [options.bench, "--benchmark_format=json", f"--benchmark_min_time={options.seconds}",
+               "--benchmark_min_warmup_time=0.01", f"--benchmark_repetitions={options.samples}",
                f"--benchmark_filter=^{options.only}"]
-    output = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE,
+    output = subprocess.run(command, env=environment_for(preload, stats), check=True, stdout=subprocess.PIPE,
                             stderr=subprocess.DEVNULL).stdout
-    return {row["name"]: row["cpu_time"] for row in json.loads(output)["benchmarks"]}
+    times = {}
+    for row in json.loads(output)["benchmarks"]:
+        if row["run_type"] == "iteration":
+            times.setdefault(row["name"], []).append(row["cpu_time"] / PER_ITERATION)
+    return times
+
+
+def instructions(options, case, preload, stats):
+    """Of one quad or triangle of a case."""
+    def total(repetitions):
+        command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", options.bench,
+                   f"--benchmark_filter=^{case}$", "--benchmark_min_time=0.000001",
+                   f"--benchmark_repetitions={repetitions}"]
+        log = subprocess.run(command, env=environment_for(preload, stats), check=True, stdout=subprocess.DEVNULL,
+                             stderr=subprocess.PIPE, text=True).stderr
+        return int(re.search(r"Collected : (\d+)", log)[1])
+    few, more = 2, 12
+    return (total(more) - total(few)) / (more - few) / PER_ITERATION
+
+
+def count(options):
+    names = subprocess.run([options.bench, "--benchmark_list_tests", f"--benchmark_filter=^{options.only}"], check=True,
+                           stdout=subprocess.PIPE, text=True).stdout.split()
+    print(f"{'case':24} {'native':>10} {'truequad':>10} {'ratio':>8}  instructions of one")
+    for name in names:
+        before, after = (instructions(options, name, preload, os.devnull) for preload in (None, options.truequad))
+        print(f"{name:24} {before:10.0f} {after:10.0f} {after / before:8.3f}")
 
 
 def main():
@@ -37,10 +73,14 @@ def main():
     parser.add_argument("bench")
     parser.add_argument("truequad")
     parser.add_argument("--rounds", type=int, default=9)
-    parser.add_argument("--seconds", type=float, default=0.05, help="least time of a case in a round")
+    parser.add_argument("--samples", type=int, default=5, help="of each case in a round")
+    parser.add_argument("--seconds", type=float, default=0.02, help="least time of a sample")
     parser.add_argument("--only", metavar="PREFIX", default="", help="cases whose names begin so")
     parser.add_argument("--check", action="store_true", help="fail when a requirement is not met")
+    parser.add_argument("--instructions", action="store_true", help="count instead of measuring")
     options = parser.parse_args()
+    if options.instructions:
+        return count(options)
 
     native, truequad = [], []
     with tempfile.TemporaryDirectory() as folder:
@@ -56,7 +96,7 @@ def main():
     broken = []
     print(f"{'case':24} {'native ns':>10} {'truequad':>10} {'medians':>8} {'best':>8}  limit")
     for name in native[0]:
-        before, after = [r[name] / PER_ITERATION for r in native], [r[name] / PER_ITERATION for r in truequad]
+        before, after = [sum((r[name] for r in of), []) for of in (native, truequad)]
         medians = statistics.median(after) / statistics.median(before)
         best = min(after) / min(before)
         limit = next((l for prefix, l in LIMITS.items() if name.startswith(prefix)), None)
