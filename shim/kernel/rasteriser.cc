@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Roundings that count for one product of set-up. Of the three to four that enter, each at most one unit, millions
-// of random triangles show no more than 0.9 units together (rasteriser_test).
+// of random triangles show no more than 0.9 units together.
 constexpr double kSetupUnits = 0.75;
 // The same for the evaluation of one plane a + b x + c y at a pixel.
 constexpr double kEvaluationUnits = 2;
