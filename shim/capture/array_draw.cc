@@ -2,6 +2,7 @@
 // order: quads that need no correction by draws of the same arrays, so that the driver takes them as it would take the
 // whole, and the others, which are copied from the arrays, as in immediate mode.
 #include <algorithm>
+#include <cstring>
 
 #include "capture/array_elements.h"
 #include "capture/array_sources.h"
@@ -10,10 +11,32 @@
 #include "capture/draw.h"
 #include "capture/drawn.h"
 #include "capture/replay.h"
+#include "kernel/affine_fast.h"
 #include "capture/quads.h"
 
 namespace truequad {
 namespace {
+
+// Sending colours makes materials of them that track the current colour, and afterwards of what it was. Where they are not
+// the same before (after glPopAttrib, say) they could not be had again.
+bool materials_have_current_colour(const Driver& driver) {
+  GLint parameter = GL_AMBIENT_AND_DIFFUSE, side = GL_FRONT_AND_BACK;
+  driver.GetIntegerv(GL_COLOR_MATERIAL_PARAMETER, &parameter);
+  driver.GetIntegerv(GL_COLOR_MATERIAL_FACE, &side);
+  GLfloat current[4] = {};
+  driver.GetFloatv(GL_CURRENT_COLOR, current);
+  const auto has = [&](GLenum face, GLenum property) {
+    GLfloat value[4] = {};
+    driver.GetMaterialfv(face, property, value);
+    return std::equal(value, value + 4, current);
+  };
+  const auto all = [&](GLenum face) {
+    if (side != GL_FRONT_AND_BACK && GLenum(side) != face) return true;
+    if (parameter != GL_AMBIENT_AND_DIFFUSE) return has(face, GLenum(parameter));
+    return has(face, GL_AMBIENT) && has(face, GL_DIFFUSE);
+  };
+  return all(GL_FRONT) && all(GL_BACK);
+}
 
 // A draw that GL calls an error, or that draws nothing.
 bool is_void(const ArrayDraw& draw) {
@@ -42,6 +65,8 @@ class Drawing {
     c.drawing = this;
     c.before_draw = before_draw;
     note_rows(bit(kPosition) | textures);
+    quick_ = c.watch == Watch::kNothing && textures != 0;
+    for_each_slot(bit(kPosition) | textures, [&](Slot slot) { quick_ = quick_ && sources[slot].floats(); });
   }
 
   // True if something was corrected; then all of it has been drawn.
@@ -102,6 +127,10 @@ class Drawing {
         settle_passed(primitive, first, Reason::kArrayRange);
         continue;
       }
+      if (surely_affine_elements()) [[likely]] {
+        settle_passed(primitive, first, Reason::kAffine);
+        continue;
+      }
       fetch_slot(kPosition);
       for_each_slot(c_.live & kTextureSlots, [&](Slot slot) { fetch_slot(slot); });
       settle(primitive, first);
@@ -118,6 +147,33 @@ class Drawing {
                (draw_.type == 0 || (index >= draw_.least && index <= draw_.most));
     }
     return inside;
+  }
+
+  // What surely_affine() (kernel/affine_fast.h) says of the quad, without copying it: floats only, and the components that
+  // the arrays do not have cannot fail.
+  bool surely_affine_elements() const {
+    if (!quick_) return false;
+    bool affine = parallelogram(sources_[kPosition]);
+    for_each_slot(c_.live & kTextureSlots, [&](Slot slot) { affine = affine && parallelogram(sources_[slot]); });
+    return affine;
+  }
+
+  bool parallelogram(const ArraySource& source) const {
+    switch (source.size) {
+      case 2: return parallelogram<2>(source);
+      case 3: return parallelogram<3>(source);
+      case 4: return parallelogram<4>(source);
+      default: return parallelogram<1>(source);
+    }
+  }
+  template <int size>
+  bool parallelogram(const ArraySource& source) const {
+    float x[4][4] = {};
+    for (int i = 0; i < 4; ++i) {
+      std::memcpy(x[i], source.bytes + source.stride * element_[quad_.corner[i]], size * sizeof(float));
+    }
+    static constexpr float kSame[4][4] = {};
+    return surely_affine(x, kSame);
   }
 
   void fetch_slot(Slot slot) {
@@ -198,6 +254,9 @@ class Drawing {
     const Reason reason = sources_.find(others);
     if (reason != Reason::kNone) return reason;
     if (!sources_.all_readable()) return Reason::kBuffer;
+    if ((others & bit(kColor)) && is_enabled(GL_COLOR_MATERIAL) && !materials_have_current_colour(driver_)) {
+      return Reason::kLighting;
+    }
     note_rows(others);
     c_.live |= others;
     return Reason::kNone;
@@ -249,7 +308,7 @@ class Drawing {
   std::uint64_t element_[4];
   std::uint64_t passed_[kReasonCount] = {};
   Place from_, to_;
-  bool corrected_ = false, looked_ = false;
+  bool corrected_ = false, looked_ = false, quick_ = false;
   Reason why_not_ = Reason::kNone;
 };
 

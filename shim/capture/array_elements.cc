@@ -1,7 +1,9 @@
 #include "capture/array_elements.h"
 
 #include "capture/draw.h"
+#include "capture/correct.h"
 #include "capture/drawn.h"
+#include "capture/kept_current.h"
 #include "capture/list_compile.h"
 #include "capture/quads.h"
 #include "capture/replay.h"
@@ -296,13 +298,41 @@ bool compile_quads(Entry& e, Capture& c, const ArrayDraw& draw) {
   ArraySources& sources = memory->sources;
   if (!(sources.state().enabled & bit(kPosition)) || !can_be_sent(sources)) return false;
   if (draw.type == 0 && sources.state().restarts) return false;
+  // Nothing tells the current edge flag's type apart from the array's, and it matters to no quad that is corrected.
+  if (sources.state().enabled & bit(kEdgeFlag)) return false;
   Compiling compiling(e, c, draw, sources);
   if (!compiling.may_need_correction()) {
     compiling.count_passed();
     return false;
   }
+  if (e.list->leading) open_driver_part(e);
+  if (!end_driver_part(e) || !keep_noting_current(e, sources.state().enabled & kInterpolatedSlots)) return false;
   compiling.send();
+  keep_restoring_current(e);
   return true;
+}
+
+void note_current(Entry& e, SlotMask slots) {
+  Capture* const c = capturing_thread(e);
+  ArrayMemory* const memory = c && e.context && !e.inside ? array_memory(e) : nullptr;
+  if (!memory) return;
+  barrier(e);
+  c->driver = e.driver;
+  if (!caps_of(*c).supported) return;
+  keep_current(*c, slots);
+  for_each_slot(slots, [&](Slot slot) { memory->current[slot] = c->now[slot]; });
+  memory->current_noted = slots;
+}
+
+void restore_current(Entry& e) {
+  ArrayMemory* const memory = e.context ? e.context->arrays : nullptr;
+  if (!memory || e.inside || memory->current_noted == 0) return;
+  const Caps& caps = e.context->caps;
+  for_each_slot(memory->current_noted, [&](Slot slot) {
+    replay(*e.driver, slot, float_call(caps, slot, 4), memory->current[slot], kNoRaw);
+  });
+  memory->current_noted = 0;
+  end_batch(*e.own);
 }
 
 }  // namespace truequad

@@ -111,6 +111,8 @@ struct ArrayMemory {
   ArrayState state;
   BufferCopies buffers;
   ArraySources sources;  // of the present draw, or the present primitive of glArrayElement
+  Float4 current[kConventionalSlots];  // of before a draw that a list keeps (kept_current.h)
+  SlotMask current_noted = 0;
 };
 
 // Null without memory; entry.context must be known.

@@ -24,6 +24,9 @@ struct ArrayDraw {
 // the program's own call is to be forwarded, with its errors.
 bool draw_quads(Entry& entry, const ArrayDraw& draw);
 
+// Draws whose numbers are in memory; `type` is 0 without indices. Likewise.
+bool draw_indirect_quads(Entry& entry, GLenum mode, GLenum type, const void* from, GLsizei draws, GLsizei stride);
+
 // glArrayElement between glBegin and glEnd: true if its attributes and its vertex were sent on by calls of immediate mode.
 bool element_in_primitive(Entry& entry, GLint element);
 template <typename Own>
@@ -81,6 +84,12 @@ void multi_draw_elements(Entry& e, GLenum mode, const GLsizei* count, GLenum typ
                                                 .base = base})) {
     return;
   }
+  own();
+}
+
+template <typename Own>
+void draw_indirect(Entry& e, GLenum mode, GLenum type, const void* from, GLsizei draws, GLsizei stride, Own own) {
+  if (may_have_quads(e, mode) && draw_indirect_quads(e, mode, type, from, draws, stride)) return;
   own();
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "capture/capture.h"
+#include "capture/kept_current.h"
 #include "capture/list_compile.h"
 #include "capture/rows.h"
 
@@ -14,7 +15,7 @@ namespace truequad {
 namespace {
 
 // Behind the rows: calls that are no attributes.
-enum : RowId { kKeptBegin = kRowCount, kKeptEnd, kKeptCount };
+enum : RowId { kKeptBegin = kRowCount, kKeptEnd, kKeptNoteCurrent, kKeptRestoreCurrent, kKeptCount };
 
 // What GL reads through a pointer: one packed number, as many as the call's name says, or as the property has.
 template <Row row>
@@ -188,6 +189,16 @@ constexpr Play kPlay[kKeptCount] = {
     end(entry);
     return from;
   },
+  [](const unsigned char* from) {
+    SlotMask slots;
+    std::memcpy(&slots, from, sizeof slots);
+    note_current(entry, slots);
+    return from + sizeof slots;
+  },
+  [](const unsigned char* from) {
+    restore_current(entry);
+    return from;
+  },
 };
 
 }  // namespace
@@ -206,6 +217,27 @@ unsigned char* KeptCalls::add(std::size_t size) {
   }
   size_ += size;
   return bytes_ + size_ - size;
+}
+
+bool keep_noting_current(Entry& e, SlotMask slots) {
+  KeptCalls* const kept = kept_calls(e);
+  unsigned char* const to = kept ? kept->add(sizeof(RowId) + sizeof slots) : nullptr;
+  if (!to) return false;
+  const RowId id = kKeptNoteCurrent;
+  std::memcpy(to, &id, sizeof id);
+  std::memcpy(to + sizeof id, &slots, sizeof slots);
+  // What follows is kept as well.
+  ListCompile& list = *e.list;
+  if (!list.kept_primitive && !list.kept_inside) list.kept->opens = true;
+  list.kept_primitive = true;
+  return true;
+}
+
+void keep_restoring_current(Entry& e) {
+  KeptCalls* const kept = kept_calls(e);
+  unsigned char* const to = kept ? kept->add(sizeof(RowId)) : nullptr;
+  const RowId id = kKeptRestoreCurrent;
+  if (to) std::memcpy(to, &id, sizeof id);
 }
 
 void KeptCalls::play(Entry&) const {

@@ -64,6 +64,8 @@ constexpr Way kWays[] = {
     {"base_vertex", "arrays"},
     {"multi_base_vertex", "arrays"},
     {"instanced", "arrays", 2},
+    {"indirect", "buffer", 2},
+    {"indirect_elements", "buffer"},
     {"restart", "arrays"},
     {"locked", "arrays"},
     {"index_buffer", "arrays"},
@@ -128,6 +130,65 @@ TEST_P(Ways, LeaveAffineQuadsToTheDriver) {
 
 INSTANTIATE_TEST_SUITE_P(Arrays, Ways, testing::ValuesIn(kWays),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Arrays, MeetEarlierAndLaterPasses) {
+  const Drawn immediate = draw(kFamilies, "passes_immediate", true);
+  ASSERT_GT(immediate.corrected(), 0);
+  for (const char* way : {"passes_arrays", "passes_arrays_first"}) {
+    SCOPED_TRACE(way);
+    const Drawn ours = draw(kFamilies, way, true);
+    EXPECT_TRUE(ours.pictures == immediate.pictures);
+    EXPECT_EQ(ours.corrected(), immediate.corrected());
+  }
+}
+
+TEST(Arrays, ARectangleMeetsTheMeshBelowIt) {
+  const Drawn immediate = draw("trapezoid", "rectangle_immediate", true), ours = draw("trapezoid", "rectangle", true);
+  EXPECT_TRUE(ours.pictures == immediate.pictures);
+  EXPECT_EQ(ours.corrected(), immediate.corrected());
+  EXPECT_EQ(ours.corrected(), 2 * long(kSeeds));
+  EXPECT_EQ(ours.by("rect"), long(kSeeds));
+}
+
+TEST(Arrays, OfEveryTypeAreDrawnAlike) {
+  constexpr const char* kWhole = "trapezoid,strip,non_planar";
+  const Drawn immediate = draw(kWhole, "typed_immediate", true);
+  ASSERT_GT(immediate.corrected(), 0);
+  for (const char* way : {"typed_floats", "typed_shorts", "typed_ints", "typed_doubles", "typed_halves"}) {
+    SCOPED_TRACE(way);
+    const Drawn ours = draw(kWhole, way, true);
+    EXPECT_TRUE(ours.pictures == immediate.pictures);
+    EXPECT_EQ(ours.corrected(), immediate.corrected());
+  }
+}
+
+// Bindings, current values, errors and their order, where arrays are wrong or memory ends; and pictures, where nothing is
+// corrected.
+TEST(Arrays, AnswersAreTheDriversOwn) {
+  const auto native = run({ASK_ARRAYS});
+  const auto ours = run({ASK_ARRAYS}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", "-"}});
+  EXPECT_EQ(native.status, 0);
+  EXPECT_EQ(ours.status, 0);
+  EXPECT_NE(native.out, "");
+  EXPECT_EQ(ours.out, native.out);
+  const auto json = nlohmann::json::parse(ours.err, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ours.err;
+  EXPECT_GT(json.value("corrected", 0), 0);
+  EXPECT_GT(json["by_path"].value("rect", 0), 0);
+}
+
+TEST(Arrays, LibrariesThatDrawQuadsAreReached) {
+  for (const char* library : {"glu", "ftgl"}) {
+    SCOPED_TRACE(library);
+    const auto ended = run({DRAW_WITH_LIBRARIES, library}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", "-"}});
+    EXPECT_EQ(ended.status, 0);
+    const auto json = nlohmann::json::parse(ended.err, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << ended.err;
+    EXPECT_GT(json.value("quads", 0), 0);
+    const bool warped = std::string(library) == "glu";
+    EXPECT_EQ(json.value("corrected", 0) > 0, warped);
+  }
+}
 
 // What is mapped may change at any time.
 TEST(Arrays, OfABufferThatStaysMappedAreLeftAlone) {

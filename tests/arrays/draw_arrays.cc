@@ -98,6 +98,7 @@ void immediate(const Primitive& p) {
 
 const unsigned char* offset(std::size_t bytes) { return reinterpret_cast<const unsigned char*>(bytes); }
 
+using Way = std::function<void(const Scene&)>;
 using EachPrimitive = std::function<void(const Primitive&, const std::vector<Element>&)>;
 
 // Each primitive with its elements in client memory, and the arrays set to them.
@@ -202,6 +203,134 @@ auto changed_buffer(const std::function<void(GLuint, std::size_t, const void*)>&
   };
 }
 
+// A second pass over what `first` drew, on the same depths, added to it.
+void two_passes(const Scene& scene, const Way& first, const Way& second) {
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  first(scene);
+  glDepthFunc(GL_EQUAL);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glEnable(GL_BLEND);
+  second(scene);
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void immediate_primitives(const Scene& scene) {
+  for (const Primitive& p : scene.primitives) immediate(p);
+}
+void primitives_from_arrays(const Scene& scene) {
+  by_primitive([](const Primitive& p, const auto&) { glDrawArrays(mode_of(p), 0, count_of(p)); })(scene);
+}
+
+// A rectangle with a warped texture, and another without texture on it.
+void rectangles(const std::function<void()>& second) {
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glRotatef(30, 1, 1, 0);
+  two_passes(
+      {},
+      [](const Scene&) {
+        glColor3f(1, 1, 1);
+        glBegin(GL_QUADS);
+        glTexCoord2f(0.1f, 0.1f), glVertex2f(-0.75f, -0.5f);
+        glTexCoord2f(0.9f, 0.1f), glVertex2f(0.5f, -0.5f);
+        glTexCoord2f(0.6f, 0.9f), glVertex2f(0.5f, 0.75f);
+        glTexCoord2f(0.4f, 0.8f), glVertex2f(-0.75f, 0.75f);
+        glEnd();
+      },
+      [&](const Scene&) {
+        glDisable(GL_TEXTURE_2D);
+        glColor3f(0.25f, 0.25f, 0);
+        second();
+        glEnable(GL_TEXTURE_2D);
+      });
+}
+
+// Positions and texture coordinates as integers, which all types have exactly; matrices undo the steps.
+constexpr float kPositionSteps = 64, kTextureSteps = 512;
+struct Whole {
+  int position[3], texture[2];
+  GLubyte color[4];
+};
+std::vector<Whole> whole_elements_of(const Primitive& p) {
+  std::vector<Whole> elements;
+  for (const Vertex& v : p.vertices) {
+    Whole e{{}, {}, {255, 255, GLubyte(255 - int(v.mark)), 255}};
+    for (int i = 0; i < 3; ++i) e.position[i] = int(v.position[std::size_t(i)] * kPositionSteps);
+    for (int i = 0; i < 2; ++i) e.texture[i] = int(v.texture[std::size_t(i)] * kTextureSteps);
+    elements.push_back(e);
+  }
+  return elements;
+}
+
+void with_steps(const Scene& scene, const std::function<void(const Primitive&)>& draw) {
+  glScalef(1 / kPositionSteps, 1 / kPositionSteps, 1 / kPositionSteps);
+  glMatrixMode(GL_TEXTURE);
+  glLoadIdentity();
+  glScalef(1 / kTextureSteps, 1 / kTextureSteps, 1);
+  for (const Primitive& p : scene.primitives) draw(p);
+  glLoadIdentity();
+  glMatrixMode(GL_MODELVIEW);
+}
+
+// IEEE 754 half precision of an integer below 2048.
+struct Half {
+  GLushort bits = 0;
+  Half() = default;
+  explicit Half(int value) {
+    const int magnitude = value < 0 ? -value : value;
+    if (magnitude == 0) return;
+    int exponent = 0;
+    while (magnitude >> (exponent + 1)) ++exponent;
+    const int fraction = exponent > 10 ? magnitude >> (exponent - 10) : magnitude << (10 - exponent);
+    bits = GLushort((value < 0 ? 0x8000 : 0) | (exponent + 15) << 10 | (fraction & 0x3ff));
+  }
+};
+
+struct Rgba8 {
+  GLubyte of[4];
+  explicit Rgba8(const GLubyte (&c)[4]) : of{c[0], c[1], c[2], c[3]} {}
+};
+struct Bgra8 {
+  GLubyte of[4];
+  explicit Bgra8(const GLubyte (&c)[4]) : of{c[2], c[1], c[0], c[3]} {}
+};
+struct Rgb16 {
+  GLushort of[3];
+  explicit Rgb16(const GLubyte (&c)[4]) : of{GLushort(c[0] * 257), GLushort(c[1] * 257), GLushort(c[2] * 257)} {}
+};
+struct Rgb32 {
+  GLuint of[3];
+  explicit Rgb32(const GLubyte (&c)[4]) : of{c[0] * 16843009u, c[1] * 16843009u, c[2] * 16843009u} {}
+};
+
+// An array of each, tightly packed, with strides of 0.
+template <typename P, typename T, typename C>
+Way typed(GLenum position_type, GLenum texture_type, GLint color_size, GLenum color_type) {
+  return [=](const Scene& scene) {
+    enable_arrays();
+    with_steps(scene, [&](const Primitive& p) {
+      std::vector<P> position;
+      std::vector<T> texture;
+      std::vector<C> color;
+      for (const Whole& e : whole_elements_of(p)) {
+        for (int x : e.position) position.push_back(P(x));
+        for (int x : e.texture) texture.push_back(T(x));
+        color.push_back(C(e.color));
+      }
+      glVertexPointer(3, position_type, 0, position.data());
+      glTexCoordPointer(2, texture_type, 0, texture.data());
+      glColorPointer(color_size, color_type, 0, color.data());
+      glDrawArrays(mode_of(p), 0, count_of(p));
+    });
+    disable_arrays();
+  };
+}
+
 void look(const Scene& scene) {
   glViewport(scene.viewport[0], scene.viewport[1], scene.viewport[2], scene.viewport[3]);
   glMatrixMode(GL_PROJECTION);
@@ -220,15 +349,20 @@ void make_current(OSMesaContext context) {
   OSMesaMakeCurrent(context, canvas.data(), GL_UNSIGNED_BYTE, canvas_width, canvas_height);
 }
 
-void each(const Scene& scene, const std::function<void(const Primitive&)>& draw) {
-  for (const Primitive& p : scene.primitives) draw(p);
-}
-
-using Way = std::function<void(const Scene&)>;
-
 const std::map<std::string, Way>& ways() {
   static const std::map<std::string, Way> all = {
-      {"immediate", [](const Scene& s) { each(s, immediate); }},
+      {"immediate", immediate_primitives},
+      {"passes_immediate", [](const Scene& s) { two_passes(s, immediate_primitives, immediate_primitives); }},
+      {"passes_arrays", [](const Scene& s) { two_passes(s, immediate_primitives, primitives_from_arrays); }},
+      {"passes_arrays_first", [](const Scene& s) { two_passes(s, primitives_from_arrays, immediate_primitives); }},
+      {"rectangle_immediate", [](const Scene&) {
+         rectangles([] {
+           glBegin(GL_QUADS);
+           glVertex2f(-0.75f, -0.5f), glVertex2f(0.5f, -0.5f), glVertex2f(0.5f, 0.75f), glVertex2f(-0.75f, 0.75f);
+           glEnd();
+         });
+       }},
+      {"rectangle", [](const Scene&) { rectangles([] { glRectf(-0.75f, -0.5f, 0.5f, 0.75f); }); }},
       {"arrays", by_primitive([](const Primitive& p, const auto&) { glDrawArrays(mode_of(p), 0, count_of(p)); })},
       {"arrays_ext", by_primitive([](const Primitive& p, const auto&) { glDrawArraysEXT(mode_of(p), 0, count_of(p)); })},
       {"twice", by_primitive([](const Primitive& p, const auto&) {
@@ -294,6 +428,22 @@ const std::map<std::string, Way>& ways() {
          }
          disable_arrays();
        }},
+      {"typed_immediate", [](const Scene& s) {
+         with_steps(s, [](const Primitive& p) {
+           glBegin(mode_of(p));
+           for (const Whole& e : whole_elements_of(p)) {
+             glColor4ubv(e.color);
+             glTexCoord2f(GLfloat(e.texture[0]), GLfloat(e.texture[1]));
+             glVertex3f(GLfloat(e.position[0]), GLfloat(e.position[1]), GLfloat(e.position[2]));
+           }
+           glEnd();
+         });
+       }},
+      {"typed_floats", typed<GLfloat, GLfloat, Rgba8>(GL_FLOAT, GL_FLOAT, 4, GL_UNSIGNED_BYTE)},
+      {"typed_shorts", typed<GLshort, GLshort, Bgra8>(GL_SHORT, GL_SHORT, GL_BGRA, GL_UNSIGNED_BYTE)},
+      {"typed_ints", typed<GLint, GLint, Rgb16>(GL_INT, GL_INT, 3, GL_UNSIGNED_SHORT)},
+      {"typed_doubles", typed<GLdouble, GLdouble, Rgb32>(GL_DOUBLE, GL_DOUBLE, 3, GL_UNSIGNED_INT)},
+      {"typed_halves", typed<Half, Half, Rgba8>(GL_HALF_FLOAT, GL_HALF_FLOAT, 4, GL_UNSIGNED_BYTE)},
       {"multi_arrays", [](const Scene& s) {
          std::vector<GLint> first;
          std::vector<GLsizei> count;
@@ -345,6 +495,48 @@ const std::map<std::string, Way>& ways() {
       {"instanced", by_primitive([](const Primitive& p, const auto&) {
          glDrawArraysInstanced(mode_of(p), 0, count_of(p), 2);
        })},
+      {"indirect", [](const Scene& s) {
+         std::vector<GLint> first;
+         std::vector<GLsizei> count;
+         const auto all = all_elements(s, first, count);
+         const GLuint buffer = buffer_of(GL_ARRAY_BUFFER, all.size() * sizeof(Element), all.data());
+         std::vector<GLuint> commands;
+         for (std::size_t i = 0; i < first.size(); ++i) {
+           commands.insert(commands.end(), {GLuint(count[i]), 1u, GLuint(first[i]), 0u});
+         }
+         const GLuint indirect = buffer_of(GL_DRAW_INDIRECT_BUFFER, commands.size() * 4, commands.data());
+         enable_arrays();
+         point_at(offset(0));
+         for (std::size_t i = 0; i < first.size(); ++i) glDrawArraysIndirect(mode_of(s.primitives[0]), offset(16 * i));
+         glClear(GL_COLOR_BUFFER_BIT);
+         glMultiDrawArraysIndirect(mode_of(s.primitives[0]), nullptr, GLsizei(first.size()), 0);
+         disable_arrays();
+         glBindBuffer(GL_ARRAY_BUFFER, 0);
+         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+         delete_buffer(buffer);
+         delete_buffer(indirect);
+       }},
+      {"indirect_elements", [](const Scene& s) {
+         std::vector<GLint> first;
+         std::vector<GLsizei> count;
+         const auto all = all_elements(s, first, count);
+         std::vector<GLushort> indices;
+         for (GLushort i = 0; i < 256; ++i) indices.push_back(i);
+         const GLuint buffer = buffer_of(GL_ARRAY_BUFFER, all.size() * sizeof(Element), all.data());
+         const GLuint elements = buffer_of(GL_ELEMENT_ARRAY_BUFFER, indices.size() * 2, indices.data());
+         enable_arrays();
+         point_at(offset(0));
+         for (std::size_t i = 0; i < first.size(); ++i) {
+           // In the client's memory, which compatibility contexts allow.
+           const GLint command[] = {count[i], 1, 0, first[i], 0};
+           glDrawElementsIndirect(mode_of(s.primitives[0]), GL_UNSIGNED_SHORT, command);
+         }
+         disable_arrays();
+         glBindBuffer(GL_ARRAY_BUFFER, 0);
+         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+         delete_buffer(buffer);
+         delete_buffer(elements);
+       }},
       {"restart", [](const Scene& s) {
          std::vector<GLint> first;
          std::vector<GLsizei> count;

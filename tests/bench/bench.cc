@@ -1,4 +1,4 @@
-// What calls cost: quads and triangles sent in immediate mode to Mesa's driver that draws nothing (OSMesa
+// What calls cost: quads and triangles sent in immediate mode and from arrays to Mesa's driver that draws nothing (OSMesa
 // with GALLIUM_NOOP=1), so that what is left is the cost of the calls. The program knows nothing of truequad;
 // compare.py runs it without and with it.
 #include <GL/osmesa.h>
@@ -82,17 +82,25 @@ void corrected_strip(benchmark::State& state) { run(state, GL_QUAD_STRIP, strip(
 void triangles_in_one(benchmark::State& state) { run(state, GL_TRIANGLES, triangles(), 0); }
 void triangles_one_by_one(benchmark::State& state) { run(state, GL_TRIANGLES, triangles(), 3); }
 
-// The same triangles by one call: a program that keeps its vertices in arrays.
-void triangles_from_arrays(benchmark::State& state) {
-  const auto vertices = triangles();
+// By calls of `each` vertices (0: one call): a program that keeps its vertices in arrays.
+void run_from_arrays(benchmark::State& state, GLenum mode, const std::vector<Vertex>& vertices, GLsizei each) {
+  const GLsizei count = GLsizei(vertices.size()), step = each ? each : count;
   glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), &vertices[0].s);
   glVertexPointer(3, GL_FLOAT, sizeof(Vertex), &vertices[0].x);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
   glEnableClientState(GL_VERTEX_ARRAY);
-  for (auto _ : state) glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
+  for (auto _ : state) {
+    for (GLsizei first = 0; first < count; first += step) glDrawArrays(mode, first, step);
+  }
   glDisableClientState(GL_VERTEX_ARRAY);
   glDisableClientState(GL_TEXTURE_COORD_ARRAY);
 }
+
+void triangles_from_arrays(benchmark::State& state) { run_from_arrays(state, GL_TRIANGLES, triangles(), 0); }
+void arrays_affine(benchmark::State& state) { run_from_arrays(state, GL_QUADS, quads(false), 0); }
+void arrays_affine_strip(benchmark::State& state) { run_from_arrays(state, GL_QUAD_STRIP, strip(false), 0); }
+void arrays_affine_one_by_one(benchmark::State& state) { run_from_arrays(state, GL_QUADS, quads(false), 4); }
+void arrays_corrected(benchmark::State& state) { run_from_arrays(state, GL_QUADS, quads(true), 0); }
 
 BENCHMARK(affine_in_one);
 BENCHMARK(affine_one_by_one);
@@ -103,6 +111,10 @@ BENCHMARK(corrected_strip);
 BENCHMARK(triangles_in_one);
 BENCHMARK(triangles_one_by_one);
 BENCHMARK(triangles_from_arrays);
+BENCHMARK(arrays_affine);
+BENCHMARK(arrays_affine_strip);
+BENCHMARK(arrays_affine_one_by_one);
+BENCHMARK(arrays_corrected);
 
 bool open_canvas() {
   constexpr int kSize = 640;
