@@ -4,6 +4,7 @@
 #include <cstring>
 #include <new>
 
+#include "capture/colours.h"
 #include "capture/draw.h"
 #include "capture/drawn.h"
 #include "capture/overlay.h"
@@ -63,6 +64,20 @@ struct Sets {
   std::span<const Corners> all() const { return {of, count}; }
 };
 
+// And its colours.
+struct Channels {
+  ColourChannel of[kMaxColourChannels];
+  std::size_t count = 0;
+
+  explicit Channels(const PlannedFor& from) {
+    for (; count < from.colours; ++count) {
+      const float(&x)[4] = from.colour[count];
+      of[count] = {x[0], x[1], x[2], x[3]};
+    }
+  }
+  std::span<const ColourChannel> all() const { return {of, count}; }
+};
+
 Corners positions_of(const Capture& c, const Quad& quad) {
   Corners corners;
   for (int i = 0; i < 4; ++i) {
@@ -78,11 +93,13 @@ PlannedFor own_sets(Capture& c, const Quad& quad) {
   for_each_slot(SlotMask(sets.units), [&](unsigned unit) {
     for (int i = 0; i < 4; ++i) sets.texture[unit][i] = c.at[kTexture + unit][quad.corner[i]];
   });
+  find_colours(c, quad, sets);
   return sets;
 }
 
 bool same_sets(const PlannedFor& a, const PlannedFor& b) {
-  bool same = a.units == b.units;
+  bool same = a.units == b.units && a.colours == b.colours &&
+              !std::memcmp(a.colour, b.colour, a.colours * sizeof a.colour[0]);
   for_each_slot(SlotMask(a.units), [&](unsigned unit) {
     same = same && !std::memcmp(a.texture[unit], b.texture[unit], sizeof a.texture[unit]);
   });
@@ -105,7 +122,13 @@ Limits limits_of(const Capture& c) {
 }
 
 void plan_for(Capture& c, const Quad& quad, const PlannedFor& sets) {
-  plan(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.settings.mode, c.scratch->plan);
+  plan(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.settings.mode, c.scratch->plan,
+       Channels(sets).all());
+}
+
+// The plan's mesh, drawn with these.
+void bound_for(Capture& c, const Quad& quad, const PlannedFor& sets) {
+  bound_mesh(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.scratch->plan, Channels(sets).all());
 }
 
 // What nothing but the quad itself and its texture units decides.
@@ -136,7 +159,7 @@ void draw(Capture& c, const Quad& quad, unsigned units) {
   if (c.before_draw) c.before_draw(c);
   if (plan.action == Action::kMesh) draw_mesh(c, quad);
   else draw_projected(c, quad, units);
-  c.counters.correct(plan.triangles, plan.bound_px, plan.capped);
+  c.counters.correct(plan.triangles, plan.bound_px, plan.bound_steps, plan.capped);
   if (c.options->overlay) {
     close_mesh(c);
     draw_overlay(c, quad, plan, {c.scratch->params, std::size(c.scratch->params)},
@@ -152,29 +175,33 @@ const Caps& caps_of(Capture& c) {
   return caps_of(record, *c.driver);
 }
 
-Reason correct(Capture& c, const Quad& quad, SlotMask warped) {
+Reason correct(Capture& c, const Quad& quad, SlotMask warped, bool colours) {
   if (const Reason reason = find_reason(c); reason != Reason::kNone) return reason;
   if (!scratch_of(c)) return Reason::kNoMemory;
   Plan& plan = c.scratch->plan;
 
   const PassKey positions = positions_key(c, quad), seen = with_view(positions, c.view.view);
   const PlannedFor* const before = c.drawn ? c.drawn->mesh(seen) : nullptr;
-  if (!before && !warped && !(c.drawn && c.drawn->wanted(positions))) return Reason::kAffine;
+  if (!before && !warped && !colours && !(c.drawn && c.drawn->wanted(positions))) return Reason::kAffine;
 
   fill_absent(c, quad, c.live & kInterpolatedSlots);
   PlannedFor sets = own_sets(c, quad);
   if (before) {
     plan_for(c, quad, *before);
     if (!same_sets(sets, *before)) {
-      bound_mesh(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), plan);
+      bound_for(c, quad, sets);
     }
     draw(c, quad, sets.units);
     return Reason::kNone;
   }
   const Reason reason = warped ? find_reason(c, sets, warped) : Reason::kAffine;
-  if (reason == Reason::kNone) {
+  // The program's own q would be interpolated otherwise; what is not textured by it is right in any mesh.
+  if (reason == Reason::kNone || (sets.colours > 0 && reason != Reason::kOwnQ)) {
     plan_for(c, quad, sets);
-    if (plan.action == Action::kPass) return reason_of(plan.reason);
+    if (plan.action == Action::kPass) {
+      const bool nothing = plan.reason == PassReason::kAffine || plan.reason == PassReason::kConstant;
+      return nothing && reason != Reason::kNone ? reason : reason_of(plan.reason);
+    }
     if (plan.action == Action::kMesh && must_meet_triangles(c, positions, seen)) {
       sets.key = positions;
       if (memory_of(c)) c.drawn->want_mesh(sets);
@@ -187,13 +214,13 @@ Reason correct(Capture& c, const Quad& quad, SlotMask warped) {
     sets = *wanted;
     plan_for(c, quad, sets);
     if (plan.action != Action::kMesh) return reason;
-    const PlannedFor own = own_sets(c, quad);
-    bound_mesh(positions_of(c, quad), Sets(own).all(), c.view.view, limits_of(c), plan);
+    bound_for(c, quad, own_sets(c, quad));
   }
   if (plan.action == Action::kMesh && c.view.meets_later && memory_of(c)) {
     sets.key = seen;
     c.drawn->keep_mesh(positions, sets);
     c.watch = Watch::kMeshes;
+    c.textures_alone = false;
   } else if (plan.action == Action::kProject && c.watch != Watch::kNothing) {
     c.drawn->note_triangles(seen);
   }

@@ -17,9 +17,9 @@ void fill_absent(Capture& c, const Quad& quad, SlotMask slots);
 void keep_current(Capture& c, SlotMask slots);
 
 // Plans the quad for the present view and draws it, if it needs correction or an earlier pass drew it as a mesh.
-// `warped`: texture slots that show the diagonal, perhaps none. kNone: drawn. Else nothing was drawn, for this reason;
-// without anything warped it is kAffine. The capture must be held.
-Reason correct(Capture& c, const Quad& quad, SlotMask warped);
+// `warped`: texture slots that show the diagonal, perhaps none. `colours`: they may show it. kNone: drawn. Else nothing
+// was drawn, for this reason; without anything warped it is kAffine. The capture must be held.
+Reason correct(Capture& c, const Quad& quad, SlotMask warped, bool colours);
 
 // The quad goes to the driver as it is.
 void note_triangles(Capture& c, const Quad& quad);

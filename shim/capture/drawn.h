@@ -25,11 +25,13 @@ using PassKey = std::uint64_t;
 PassKey positions_key(const Capture& c, const Quad& quad);
 PassKey with_view(PassKey positions, const View& view);
 
-// The texture coordinates that a mesh was planned for: with them, the same plan can be made again.
+// The texture coordinates and colours that a mesh was planned for: with them, the same plan can be made again.
 struct PlannedFor {
   PassKey key;
   unsigned units;  // bit mask
   Float4 texture[kTextureUnits][4];
+  unsigned colours;  // channels, in steps of 1/255
+  float colour[kMaxColourChannels][4];
 };
 
 // A set of keys that never forgets one and sometimes knows one that it was not told: B. Bloom, "Space/time trade-offs in

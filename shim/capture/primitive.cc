@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "capture/capture.h"
+#include "capture/colours.h"
 #include "capture/correct.h"
 #include "capture/drawn.h"
 #include "capture/list_compile.h"
@@ -179,7 +180,9 @@ bool settle_listed(Capture& c, const Quad& quad) {
   // Where passes meet, a quad without texture must be able to become a mesh later.
   const bool may_meet = passes_meet() && (reason == Reason::kAffine || reason == Reason::kNoTextureVaries) &&
                         !parallelogram(c, quad);
-  if ((reason == Reason::kNone || may_meet) && keep_from_here(c)) return false;
+  // Whether it will be lit, and how, is not known yet.
+  const bool wanted = reason == Reason::kNone || may_meet || c.options->color;
+  if (wanted && keep_from_here(c)) return false;
   pass(c, reason == Reason::kNone ? Reason::kDisplayList : reason);
   if (c.state == State::kOpen) return true;
   materialise(c);
@@ -196,20 +199,21 @@ bool settle(Capture& c, const Quad& quad) {
     return true;
   }
   if (c.listing) return settle_listed(c, quad);
-  if (c.state == State::kHeld) fill_absent(c, quad, c.live & kTextureSlots);
+  if (c.state == State::kHeld) fill_absent(c, quad, c.live & c.judged);
   SlotMask warped = 0;
   Reason reason = judge(c, quad, warped);
-  const bool needs_look = reason == Reason::kNone || may_be_mesh(c, quad);
+  const bool colours = colours_may_kink(c, quad);
+  const bool needs_look = reason == Reason::kNone || colours || may_be_mesh(c, quad);
   if (needs_look && c.view_read && c.view.pass != Reason::kNone) {
-    if (reason == Reason::kNone) reason = c.view.pass;
+    if (reason == Reason::kNone || colours) reason = c.view.pass;
   } else if (needs_look) {
     if (c.state == State::kOpen) cut(c);
-    const Reason found = correct(c, quad, warped);
+    const Reason found = correct(c, quad, warped, colours);
     if (found == Reason::kNone) {
       c.corrected = true;
       return false;
     }
-    if (reason == Reason::kNone) reason = found;
+    if (reason == Reason::kNone || (colours && found != Reason::kAffine)) reason = found;
   }
   pass(c, reason);
   if (c.watch != Watch::kNothing) note_triangles(c, quad);
@@ -291,6 +295,10 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   if (c.watch == Watch::kNothing && !c.listing) c.unnoted = true;
   if (c.listing || e.playing) c.counted_before = c.counters.quads();
   c.lights_read = LightsRead::kNothing;
+  const bool color = c.options->color && reason == Reason::kNone;
+  c.judged = color ? kInterpolatedSlots : kTextureSlots;
+  c.lit = color && !c.listing && caps_of(*e.context, *c.driver).supported && c.driver->IsEnabled(GL_LIGHTING);
+  c.textures_alone = !color && c.watch == Watch::kNothing;
   if (reason != Reason::kNone) {
     c.passive_reason = reason;
     c.live = ~SlotMask(0);
@@ -309,7 +317,7 @@ Capture* capturing_thread(Entry& e) {
 
 bool quad_complete(Capture& c) {
   // The usual quad: affine in its only texture. Nothing here but what returns at once, so that no register is saved.
-  if (c.state == State::kOpen && (c.live & kTextureSlots) == bit(kTexture) && c.watch == Watch::kNothing) [[likely]] {
+  if (c.state == State::kOpen && (c.live & kTextureSlots) == bit(kTexture) && c.textures_alone) [[likely]] {
     if (c.mode == GL_QUADS) {
       if (truequad::surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture))) [[likely]] {
         c.counters.pass(Reason::kAffine);
@@ -330,8 +338,8 @@ bool quad_complete(Capture& c) {
 void set_first(Capture& c, Slot slot) {
   const WindowOrder window = window_order(c);
   const SlotMask live = c.live | bit(slot);
-  // Without texture coordinates no quad is corrected: what its earlier vertices had does not matter.
-  if (c.state == State::kOpen && window.count > 0 && (live & kTextureSlots)) {
+  // Without texture coordinates (or colours) no quad is corrected: what its earlier vertices had does not matter.
+  if (c.state == State::kOpen && window.count > 0 && (live & c.judged)) {
     if (c.listing) {
       // What the earlier vertices have will be known when the list is called. Nothing is lost: this is the first such slot.
       if (keep_from_here(c)) return void(c.live = live);

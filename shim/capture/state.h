@@ -47,6 +47,7 @@ struct Capture {
   State state = State::kPassive;
   bool forwarding = true;   // calls go to the driver: state != kHeld
   Watch watch = Watch::kNothing;
+  bool textures_alone = true;  // decide about a quad: nothing to watch, and colours do not matter
   Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, or give up
   std::uint32_t extensions_used = 0;  // bit i: a call of kExtensions[i]
 
@@ -73,6 +74,8 @@ struct Capture {
   bool calls_grew = false;      // longer calls were sent than the program's own, see end_batch()
   bool corrected = false;       // something in this Begin was
   LightsRead lights_read = LightsRead::kNothing;
+  SlotMask judged = kTextureSlots;  // what a quad's correction depends on
+  bool lit = false;             // TRUEQUAD_COLOR=1, and GL_LIGHTING is enabled
   bool view_read = false;
   bool elements_found = false;  // the arrays of glArrayElement are known for this Begin
   bool listing = false;         // a list is being compiled: the driver draws nothing now

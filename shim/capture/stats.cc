@@ -42,6 +42,13 @@ constexpr int kPatient = -1, kAboutASecond = 10000;
 constexpr Counter Counters::*kPaths[] = {&Counters::listed, &Counters::from_arrays, &Counters::from_buffers,
                                          &Counters::rectangles};
 
+// An infinite bound promises nothing; `capped` counts it.
+void raise(std::atomic<double>& largest, double bound) {
+  if (std::isfinite(bound) && bound > largest.load(std::memory_order_relaxed)) {
+    largest.store(bound, std::memory_order_relaxed);
+  }
+}
+
 void add_to(Counters& sum, const Counters& x) {
   for (std::size_t i = 0; i < kReasonCount; ++i) sum.passed[i].add(x.passed[i].get());
   for (Counter Counters::*path : kPaths) (sum.*path).add((x.*path).get());
@@ -49,9 +56,8 @@ void add_to(Counters& sum, const Counters& x) {
   sum.capped.add(x.capped.get());
   sum.triangles.add(x.triangles.get());
   sum.flushes.add(x.flushes.get());
-  sum.bound_px_max.store(std::max(sum.bound_px_max.load(std::memory_order_relaxed),
-                                  x.bound_px_max.load(std::memory_order_relaxed)),
-                         std::memory_order_relaxed);
+  raise(sum.bound_px_max, x.bound_px_max.load(std::memory_order_relaxed));
+  raise(sum.bound_steps_max, x.bound_steps_max.load(std::memory_order_relaxed));
 }
 
 void sum_all(Counters& sum) {
@@ -64,6 +70,7 @@ void clear(Counters& x) {
   for (Counter Counters::*path : kPaths) (x.*path).set(0);
   for (Counter* counter : {&x.corrected, &x.capped, &x.triangles, &x.flushes}) counter->set(0);
   x.bound_px_max.store(0, std::memory_order_relaxed);
+  x.bound_steps_max.store(0, std::memory_order_relaxed);
 }
 
 // In the child of fork(): the parent reports what came before. Not called for vfork(), whose child shares our memory.
@@ -116,6 +123,7 @@ void write_json(const Counters& sum, const Options& settings, Writer& out) {
   out.field("capped", sum.capped.get());
   out.field("triangles", sum.triangles.get());
   out.field("bound_px_max", sum.bound_px_max.load(std::memory_order_relaxed));
+  if (settings.color) out.field("bound_steps_max", sum.bound_steps_max.load(std::memory_order_relaxed));
   out.name("by_path");
   out.text("{");
   std::uint64_t others = 0;
@@ -168,14 +176,12 @@ bool write_file(const char* path, std::string_view text) {
 
 }  // namespace
 
-void Counters::correct(int triangle_count, double bound_px, bool is_capped) {
+void Counters::correct(int triangle_count, double bound_px, double bound_steps, bool is_capped) {
   corrected.add(1);
   triangles.add(triangle_count);
   if (is_capped) capped.add(1);
-  // An infinite bound promises nothing; `capped` counts it.
-  if (std::isfinite(bound_px) && bound_px > bound_px_max.load(std::memory_order_relaxed)) {
-    bound_px_max.store(bound_px, std::memory_order_relaxed);
-  }
+  raise(bound_px_max, bound_px);
+  raise(bound_steps_max, bound_steps);
 }
 
 void stats_engage() {

@@ -32,7 +32,7 @@ struct Counters {
   Counter capped;     // of the corrected ones: the promise exceeds the tolerance
   Counter triangles;  // drawn for corrected quads
   Counter flushes;    // the driver's glBegin of the program was cut for a correction
-  std::atomic<double> bound_px_max{0};
+  std::atomic<double> bound_px_max{0}, bound_steps_max{0};
 
   Counters* next = nullptr;  // of the list of all threads
 
@@ -44,7 +44,7 @@ struct Counters {
   }
 
   void pass(Reason reason) { passed[std::size_t(reason)].add(1); }
-  void correct(int triangle_count, double bound_px, bool is_capped);
+  void correct(int triangle_count, double bound_px, double bound_steps, bool is_capped);
 };
 
 // Notes that this process uses GL: only then does process_ends() write. Cheap when repeated.

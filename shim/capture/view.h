@@ -20,6 +20,9 @@ struct FrameView {
   bool meets_earlier = false, equals_earlier = false, meets_later = false;
   // Bit masks over texture units; valid for the units of units_read.
   unsigned units_read = 0, units_enabled = 0, units_generated = 0;
+  // Valid if colours_read (colours.h): secondary colours are shown; steps of 1/255 for each unit of the fog coordinate.
+  bool colours_read = false, color_sum = false;
+  float steps_per_fog = 0;
 };
 
 // Reads all but the texture units. Asks only what `caps` knows to exist: never raises an error.

@@ -50,9 +50,10 @@ bool parse_tolerance(std::string_view text, Options& options) {
   return true;
 }
 
-bool parse_overlay(std::string_view text, Options& options) {
+template <bool Options::*option>
+bool parse_switch(std::string_view text, Options& options) {
   constexpr std::pair<std::string_view, bool> kSwitch[] = {{"0", false}, {"1", true}};
-  return choose(text, kSwitch, options.overlay);
+  return choose(text, kSwitch, options.*option);
 }
 
 bool parse_dl(std::string_view text, Options& options) {
@@ -87,8 +88,10 @@ constexpr std::array kRows = {
               "largest displacement of a texel in pixels", parse_tolerance},
     OptionRow{"stats", "TRUEQUAD_STATS", "", "a file name, or - for stderr",
               "where statistics are written (JSON) when the program ends", parse_stats},
-    OptionRow{"overlay", "TRUEQUAD_OVERLAY", "0", "0 or 1", "draw the mesh over corrected quadrilaterals",
-              parse_overlay},
+    OptionRow{"color", "TRUEQUAD_COLOR", "0", kSwitchWords, "correct colours that kink along a diagonal too",
+              parse_switch<&Options::color>},
+    OptionRow{"overlay", "TRUEQUAD_OVERLAY", "0", kSwitchWords, "draw the mesh over corrected quadrilaterals",
+              parse_switch<&Options::overlay>},
     OptionRow{"dl", "TRUEQUAD_DL", "dlsym", "off, dlsym or dlopen",
               "which of the dynamic linker's functions lead to truequad", parse_dl},
 };

@@ -19,6 +19,7 @@ struct Options {
   Mode mode = Mode::kBilinear;
   double tolerance_px = 0.25;
   bool overlay = false;
+  bool color = false;
   DynamicLinker dl = DynamicLinker::kDlsym;
   // Where the statistics go: absolute path, "-" for stderr, empty for nowhere.
   char stats_path[kPathSize] = "";
@@ -34,6 +35,8 @@ struct OptionRow {
   bool (*parse)(std::string_view text, Options& options);  // false: not acceptable, options unchanged
 };
 std::span<const OptionRow> option_rows();
+// What OptionRow::accepts says of a switch, which is a flag of the command.
+inline constexpr std::string_view kSwitchWords = "0 or 1";
 
 // The settings of this process. The environment is read once, at the first call; a bad setting costs one line on
 // stderr and leaves the default. May be called from any thread.

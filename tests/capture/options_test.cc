@@ -40,6 +40,7 @@ TEST(Options, DefaultsNeedNoEnvironment) {
   EXPECT_EQ(r.options.tolerance_px, 0.25);
   EXPECT_STREQ(r.options.stats_path, "");
   EXPECT_FALSE(r.options.overlay);
+  EXPECT_FALSE(r.options.color);
   EXPECT_THAT(r.complaints, IsEmpty());
 }
 
@@ -48,11 +49,13 @@ TEST(Options, GoodSettingsAreTaken) {
                          {"TRUEQUAD_TOLERANCE", "1.5e-1"},
                          {"TRUEQUAD_STATS", "/tmp/x.json"},
                          {"TRUEQUAD_OVERLAY", "1"},
+                         {"TRUEQUAD_COLOR", "1"},
                          {"TRUEQUAD_LOG", "info"}});
   EXPECT_EQ(r.options.mode, Mode::kProjective);
   EXPECT_EQ(r.options.tolerance_px, 0.15);
   EXPECT_STREQ(r.options.stats_path, "/tmp/x.json");
   EXPECT_TRUE(r.options.overlay);
+  EXPECT_TRUE(r.options.color);
   EXPECT_EQ(r.options.log_level, LogLevel::kInfo);
   EXPECT_THAT(r.complaints, IsEmpty());
 }
@@ -69,7 +72,7 @@ TEST(Options, EachBadSettingCostsOneLineAndLeavesTheDefault) {
       {"TRUEQUAD_TOLERANCE", "-1"},  {"TRUEQUAD_TOLERANCE", "abc"}, {"TRUEQUAD_TOLERANCE", ""},
       {"TRUEQUAD_TOLERANCE", "nan"}, {"TRUEQUAD_TOLERANCE", "inf"}, {"TRUEQUAD_TOLERANCE", "0"},
       {"TRUEQUAD_TOLERANCE", "1px"}, {"TRUEQUAD_TOLERANCE", " 1"},  {"TRUEQUAD_TOLERANCE", "1e999"},
-      {"TRUEQUAD_MODE", ""},         {"TRUEQUAD_MODE", "Bilinear"}, {"TRUEQUAD_OVERLAY", "yes"},
+      {"TRUEQUAD_MODE", ""},         {"TRUEQUAD_MODE", "Bilinear"}, {"TRUEQUAD_OVERLAY", "yes"}, {"TRUEQUAD_COLOR", "2"},
       {"TRUEQUAD_LOG", "loud"},      {"TRUEQUAD_STATS", ""}};
   for (const auto& [variable, text] : bad) {
     const Result r = read({{variable, text}});

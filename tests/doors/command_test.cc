@@ -41,17 +41,19 @@ TEST(Command, ReturnsTheStatusOfTheProgram) {
 }
 
 TEST(Command, HandsItsSettingsOver) {
-  const std::string show = "echo \"$TRUEQUAD_MODE|$TRUEQUAD_TOLERANCE|$TRUEQUAD_STATS|$TRUEQUAD_OVERLAY|$TRUEQUAD_LOG|$TRUEQUAD_DL\"";
+  const std::string show = "echo \"$TRUEQUAD_MODE|$TRUEQUAD_TOLERANCE|$TRUEQUAD_STATS|$TRUEQUAD_OVERLAY|$TRUEQUAD_LOG|$TRUEQUAD_DL|$TRUEQUAD_COLOR\"";
   const std::map<std::string, std::string> none = {{"TRUEQUAD_MODE", ""},    {"TRUEQUAD_TOLERANCE", ""},
                                                    {"TRUEQUAD_STATS", ""},   {"TRUEQUAD_OVERLAY", ""},
-                                                   {"TRUEQUAD_LOG", ""},     {"TRUEQUAD_DL", ""}};
-  EXPECT_EQ(truequad({"sh", "-c", show}, none).out, "|||||\n");
-  EXPECT_EQ(truequad({"--no-dl", "sh", "-c", show}, none).out, "|||||off\n");
-  EXPECT_EQ(truequad({"--dl", "dlopen", "sh", "-c", show}, none).out, "|||||dlopen\n");
+                                                   {"TRUEQUAD_LOG", ""},     {"TRUEQUAD_DL", ""},
+                                                   {"TRUEQUAD_COLOR", ""}};
+  EXPECT_EQ(truequad({"sh", "-c", show}, none).out, "||||||\n");
+  EXPECT_EQ(truequad({"--no-dl", "sh", "-c", show}, none).out, "|||||off|\n");
+  EXPECT_EQ(truequad({"--dl", "dlopen", "sh", "-c", show}, none).out, "|||||dlopen|\n");
   EXPECT_EQ(truequad({"--mode", "auto", "--tolerance", "0.5", "--stats", "a b", "--overlay", "sh", "-c", show}, none).out,
-            "auto|0.5|a b|1||\n");
-  EXPECT_EQ(truequad({"--mode=paper", "--tolerance=2", "--stats=-", "sh", "-c", show}, none).out, "paper|2|-|||\n");
-  EXPECT_EQ(truequad({"--log", "quiet", "sh", "-c", show}, none).out, "||||quiet|\n");
+            "auto|0.5|a b|1|||\n");
+  EXPECT_EQ(truequad({"--mode=paper", "--tolerance=2", "--stats=-", "sh", "-c", show}, none).out, "paper|2|-||||\n");
+  EXPECT_EQ(truequad({"--log", "quiet", "sh", "-c", show}, none).out, "||||quiet||\n");
+  EXPECT_EQ(truequad({"--color", "sh", "-c", show}, none).out, "||||||1\n");
   // What the environment says holds unless the command line says otherwise.
   EXPECT_EQ(truequad({"--mode", "off", "sh", "-c", show}, {{"TRUEQUAD_MODE", "paper"}, {"TRUEQUAD_TOLERANCE", "3"}}).out
                 .substr(0, 6),
@@ -82,7 +84,7 @@ TEST(Command, KnowsHelpAndVersion) {
   const Ended help = truequad({"--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* word : {"--mode", "--tolerance", "--stats", "--overlay", "bilinear", "PROGRAM", "pixels"}) {
+  for (const char* word : {"--mode", "--tolerance", "--stats", "--overlay", "--color", "bilinear", "PROGRAM", "pixels"}) {
     EXPECT_THAT(help.out, HasSubstr(word));
   }
   const Ended version = truequad({"--version"});

@@ -60,9 +60,9 @@ Pictures draw(const Job& job, const std::optional<Settings>& settings) {
   if (settings) {
     environment = {"LD_PRELOAD=" TRUEQUAD_PRELOAD, "TRUEQUAD_MODE=" + settings->mode,
                    "TRUEQUAD_TOLERANCE=" + std::to_string(settings->tolerance_px),
-                   "TRUEQUAD_STATS=" + statistics.path()};
+                   "TRUEQUAD_STATS=" + statistics.path(), "TRUEQUAD_COLOR=" + std::string(settings->color ? "1" : "0")};
   }
-  const std::vector<std::string> command = {DRAW_SCENES_PREFIX + job.interface,
+  const std::vector<std::string> command = {(job.colours ? DRAW_COLOURS_PREFIX : DRAW_SCENES_PREFIX) + job.interface,
                                             job.family,
                                             std::to_string(job.first),
                                             std::to_string(job.seeds),

@@ -28,6 +28,7 @@ struct Pictures {
 struct Settings {
   std::string mode = "bilinear";
   double tolerance_px = 0.25;
+  bool color = false;
 };
 
 struct Job {
@@ -36,6 +37,7 @@ struct Job {
   unsigned first = 0;
   int seeds = 1;
   int width = 256, height = 256;
+  bool colours = false;  // by draw_colours: a picture for each ColourKind
 };
 
 // Draws with the driver alone, or with truequad under `settings`. A program that fails is a failed test.

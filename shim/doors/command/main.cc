@@ -60,13 +60,14 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "truequad " TRUEQUAD_VERSION);
   app.prefix_command();  // the first word that is no option of ours begins the program's own
   std::map<std::string, std::string> settings;
-  bool overlay = false, no_dl = false;
+  bool no_dl = false;
   app.add_flag("--no-dl", no_dl, "The same as --dl off");
+  std::map<std::string, bool> switches;
   for (const truequad::OptionRow& row : truequad::option_rows()) {
     const std::string name = "--" + std::string(row.name);
     const std::string help = std::string(row.help) + ": " + std::string(row.accepts);
-    if (row.name == "overlay") {
-      app.add_flag(name, overlay, std::string(row.help));
+    if (row.accepts == truequad::kSwitchWords) {
+      app.add_flag(name, switches[row.variable], std::string(row.help));
     } else {
       app.add_option_function<std::string>(
              name, [&settings, &row](const std::string& text) { settings[row.variable] = text; }, help)
@@ -95,7 +96,9 @@ int main(int argc, char** argv) {
   }
   if (const char* others = std::getenv("LD_PRELOAD"); others && *others) preload += std::string(":") + others;
   ::setenv("LD_PRELOAD", preload.c_str(), 1);
-  if (overlay) ::setenv("TRUEQUAD_OVERLAY", "1", 1);
+  for (const auto& [variable, on] : switches) {
+    if (on) ::setenv(variable.c_str(), "1", 1);
+  }
   if (no_dl) settings["TRUEQUAD_DL"] = "off";
   for (const auto& [variable, text] : settings) ::setenv(variable.c_str(), text.c_str(), 1);
   return become(words);
