@@ -7,6 +7,7 @@
 #include "capture/array_elements.h"
 #include "capture/array_sources.h"
 #include "capture/arrays.h"
+#include "capture/colours.h"
 #include "capture/correct.h"
 #include "capture/draw.h"
 #include "capture/drawn.h"
@@ -192,21 +193,22 @@ class Drawing {
   void settle(GLsizei primitive, GLsizei first) {
     SlotMask warped = 0;
     Reason reason = judge(c_, quad_, warped);
-    if (reason == Reason::kAffine && c_.watch == Watch::kNothing) [[likely]] {
+    if (reason == Reason::kAffine && c_.textures_alone) [[likely]] {
       ++passed_[std::size_t(Reason::kAffine)];
       to_ = {primitive, first + 4};
       return;
     }
-    const bool needs_look = reason == Reason::kNone || may_be_mesh(c_, quad_);
+    const bool colours = c_.options->color && fetch_others() == Reason::kNone && colours_may_kink(c_, quad_);
+    const bool needs_look = reason == Reason::kNone || colours || may_be_mesh(c_, quad_);
     if (needs_look && c_.view_read && c_.view.pass != Reason::kNone) {
-      if (reason == Reason::kNone) reason = c_.view.pass;
+      if (reason == Reason::kNone || colours) reason = c_.view.pass;
     } else if (needs_look) {
-      const Reason found = look(warped);
+      const Reason found = look(warped, colours);
       if (found == Reason::kNone) {
         from_ = to_ = {primitive, first + quad_step(draw_.mode)};
         return;
       }
-      if (reason == Reason::kNone) reason = found;
+      if (reason == Reason::kNone || (colours && found != Reason::kAffine)) reason = found;
     }
     settle_passed(primitive, first, reason);
     if (c_.watch != Watch::kNothing) note_triangles(c_, quad_);
@@ -217,7 +219,13 @@ class Drawing {
     to_ = {primitive, first + 4};
   }
 
-  Reason look(SlotMask warped) {
+  Reason look(SlotMask warped, bool colours) {
+    const Reason reason = fetch_others();
+    return reason == Reason::kNone ? correct(c_, quad_, warped, colours) : reason;
+  }
+
+  // All that an inserted vertex needs besides positions and textures.
+  Reason fetch_others() {
     if (!looked_) {
       looked_ = true;
       why_not_ = find_others();
@@ -228,7 +236,7 @@ class Drawing {
     }
     for_each_slot(c_.live & ~kTextureSlots, [&](Slot slot) { fetch_slot(slot); });
     for (unsigned i = 0; i < 4; ++i) c_.present[i] = c_.live;
-    return correct(c_, quad_, warped);
+    return Reason::kNone;
   }
 
   // The arrays that matter besides positions and textures: only these are read.
@@ -330,7 +338,7 @@ Reason find_reason(const Capture& c, const Driver& driver, ArraySources& sources
   const SlotMask enabled = sources.state().enabled;
   if (!(enabled & bit(kPosition))) return Reason::kDegenerate;
   textures = texture_slots(driver, sources);
-  if (!textures && c.watch == Watch::kNothing) {
+  if (!textures && c.textures_alone) {
     return enabled & kTextureSlots ? Reason::kTexturingOff : Reason::kNoTextureVaries;
   }
   return sources.find(bit(kPosition) | textures);

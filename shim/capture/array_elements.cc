@@ -258,7 +258,8 @@ class Compiling {
     }
     SlotMask warped = 0;
     const Reason reason = judge(c_, quad_, warped);
-    if (reason == Reason::kNone) return true;
+    // Whether it will be lit, and how, is not known yet.
+    if (reason == Reason::kNone || c_.options->color) return true;
     ++passed_[std::size_t(reason)];
     return passes_meet() && (reason == Reason::kAffine || reason == Reason::kNoTextureVaries) && !parallelogram(c_, quad_);
   }

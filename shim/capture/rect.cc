@@ -1,5 +1,6 @@
 #include "capture/rect.h"
 
+#include "capture/colours.h"
 #include "capture/correct.h"
 #include "capture/draw.h"
 #include "capture/quads.h"
@@ -25,7 +26,8 @@ bool rectangle(Entry& e, float x1, float y1, float x2, float y2) {
     c->row[kPosition][i] = kRowVertex2fv;
     c->present[i] = 0;
   }
-  if (may_be_mesh(*c, kQuad) && correct(*c, kQuad, 0) == Reason::kNone) {
+  const bool colours = colours_may_kink(*c, kQuad);
+  if ((colours || may_be_mesh(*c, kQuad)) && correct(*c, kQuad, 0, colours) == Reason::kNone) {
     close_mesh(*c);
     return true;
   }

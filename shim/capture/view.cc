@@ -43,7 +43,8 @@ bool primitives_counted(const Driver& driver, const Caps& caps) {
   }
   if (!caps.statistics_queries) return false;
   constexpr GLenum kCounted[] = {GL_VERTICES_SUBMITTED, GL_PRIMITIVES_SUBMITTED, GL_VERTEX_SHADER_INVOCATIONS,
-                                 GL_CLIPPING_INPUT_PRIMITIVES, GL_CLIPPING_OUTPUT_PRIMITIVES};
+                                 GL_CLIPPING_INPUT_PRIMITIVES, GL_CLIPPING_OUTPUT_PRIMITIVES,
+                                 GL_FRAGMENT_SHADER_INVOCATIONS};
   return std::any_of(std::begin(kCounted), std::end(kCounted), active);
 }
 

@@ -123,6 +123,7 @@ TEST_F(WithColours, WhatIsNotShownIsNotCorrected) {
   EXPECT_EQ(draw(of(Given::kFog), fog).corrected, 0u);
   fog.numbers[GL_FOG_COORD_SRC] = {GL_FOG_COORD};
   fog.numbers[GL_FOG_MODE] = {GL_LINEAR};
+  fog.numbers[GL_FOG_START] = {0};
   fog.numbers[GL_FOG_END] = {1};
   EXPECT_EQ(draw(of(Given::kFog), fog).corrected, 1u);
   // A fog that thickens by less than a step over the square.

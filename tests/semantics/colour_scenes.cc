@@ -143,6 +143,61 @@ void logic_operation(unsigned first, unsigned seeds) {
   glDisable(GL_COLOR_LOGIC_OP);
 }
 
+// Colours that no map of the position makes, for the pictures that TRUEQUAD_COLOR=1 changes: given or of a lamp, on textured
+// quads and others, in immediate mode or a list, from arrays or by glRect.
+template <bool arrays>
+void kinked(unsigned first, unsigned seeds) {
+  prepare_scene();
+  const float place[] = {0.25f, 0.5f, -1, 1};
+  glLightfv(GL_LIGHT0, GL_POSITION, place);
+  glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0.5f);
+  glEnable(GL_LIGHT0);
+  glNormal3f(0, 0, 1);
+  for (const bool textured : {false, true}) {
+    textured ? glEnable(GL_TEXTURE_2D) : glDisable(GL_TEXTURE_2D);
+    for (const bool lit : {false, true}) {
+      lit ? glEnable(GL_LIGHTING) : glDisable(GL_LIGHTING);
+      const std::string name = std::string(textured ? "textured " : "") + (lit ? "lit " : "given ");
+      for_each_planar(first, seeds, name, [](const Shape& shape) {
+        const Listed listed;
+        for (const Primitive& primitive : shape.primitives) {
+          struct Colour {
+            float rgb[3];
+          };
+          std::vector<Colour> colours;
+          for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
+            colours.push_back({{i % 3 == 0 ? 0.9f : 0.2f, i % 4 < 2 ? 0.1f : 0.8f, i % 5 == 2 ? 0.7f : 0.3f}});
+          }
+          if (arrays) {
+            glEnableClientState(GL_VERTEX_ARRAY);
+            glEnableClientState(GL_COLOR_ARRAY);
+            glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+            const Vertex& vertex = primitive.vertices[0];
+            glVertexPointer(3, GL_FLOAT, sizeof(Vertex), vertex.position.data());
+            glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), &vertex.u);
+            glColorPointer(3, GL_FLOAT, 0, colours[0].rgb);
+            glDrawArrays(primitive.mode, 0, GLsizei(primitive.vertices.size()));
+            glDisableClientState(GL_VERTEX_ARRAY);
+            glDisableClientState(GL_COLOR_ARRAY);
+            glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+            continue;
+          }
+          glBegin(primitive.mode);
+          for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
+            const Vertex& v = primitive.vertices[i];
+            glColor3fv(colours[i].rgb);
+            glTexCoord2f(v.u, v.v);
+            glVertex3fv(v.position.data());
+          }
+          glEnd();
+        }
+      });
+    }
+  }
+  glDisable(GL_LIGHTING);
+  glEnable(GL_TEXTURE_2D);
+}
+
 }  // namespace
 
 const std::vector<Scene>& colour_scenes() {
@@ -159,6 +214,8 @@ const std::vector<Scene>& colour_scenes() {
       {"translucent", translucent},
       {"alpha_test", alpha_test},
       {"logic_operation", logic_operation},
+      {"kinked", kinked<false>},
+      {"kinked_arrays", kinked<true>},
   };
   return scenes;
 }

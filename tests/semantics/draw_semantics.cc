@@ -1,12 +1,14 @@
-// draw_semantics_API CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL for COUNT seeds and
-// writes its records. A program like any other, which knows nothing of truequad.
+// draw_semantics_API [compile:|execute:]CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL, or with each shape
+// in a list, for COUNT seeds and writes its records. A program like any other, which knows nothing of truequad.
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "canvas.h"
 #include "cases.h"
 #include "pass.h"
 #include "record.h"
+#include "scene_tools.h"
 
 namespace truequad::semantics {
 namespace {
@@ -41,13 +43,19 @@ bool draw_scene(const std::string& wanted, unsigned first, unsigned seeds) {
 
 int run(int count, char** arguments) {
   if (count != 5) {
-    std::fprintf(stderr, "usage: %s CASE FIRST COUNT FILE\n", arguments[0]);
+    std::fprintf(stderr, "usage: %s [compile:|execute:]CASE FIRST COUNT FILE\n", arguments[0]);
     return 2;
+  }
+  std::string wanted = arguments[1];
+  for (const auto& [prefix, way] : {std::pair{"compile:", Lists::kCompile}, {"execute:", Lists::kCompileAndExecute}}) {
+    if (!wanted.starts_with(prefix)) continue;
+    listing = way;
+    wanted.erase(0, std::string(prefix).size());
   }
   images::open_canvas(kWidth, kHeight);
   open_records(arguments[4]);
   const unsigned first = unsigned(std::atoi(arguments[2])), seeds = unsigned(std::atoi(arguments[3]));
-  if (!draw_passes(arguments[1], first, seeds) && !draw_scene(arguments[1], first, seeds)) {
+  if (!draw_passes(wanted, first, seeds) && !draw_scene(wanted, first, seeds)) {
     std::fprintf(stderr, "%s: there is no case named %s\n", arguments[0], arguments[1]);
     return 2;
   }

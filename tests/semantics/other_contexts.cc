@@ -1,5 +1,5 @@
-// other_contexts CONTEXT FILE: immediate mode where there is none: a core profile and OpenGL ES, by EGL.
-// Knows nothing of truequad.
+// other_contexts CONTEXT FILE: contexts by EGL in which immediate mode is not there (core, es) or that differ in what
+// becomes of errors (debug, robust, no_error). Knows nothing of truequad.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -13,7 +13,8 @@
 namespace truequad::semantics {
 namespace {
 
-void open_context(bool es) {
+void open_context(const std::string& kind) {
+  const bool es = kind == "es";
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   const EGLint wanted[] = {EGL_SURFACE_TYPE,
@@ -34,12 +35,22 @@ void open_context(bool es) {
                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                          EGL_NONE};
   const EGLint es2[] = {EGL_CONTEXT_MAJOR_VERSION, 2, EGL_NONE};
+  const EGLint debug[] = {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
+  const EGLint robust[] = {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE, EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                           EGL_LOSE_CONTEXT_ON_RESET, EGL_NONE};
+  const EGLint no_error[] = {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE, EGL_NONE};
+  const EGLint* const attributes = es                   ? es2
+                                   : kind == "core"     ? core
+                                   : kind == "debug"    ? debug
+                                   : kind == "robust"   ? robust
+                                   : kind == "no_error" ? no_error
+                                                        : nullptr;
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglInitialize(display, nullptr, nullptr) && eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) &&
       eglChooseConfig(display, wanted, &config, 1, &count) && count == 1) {
     const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, es ? es2 : core);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
     if (eglMakeCurrent(display, surface, surface, context)) return;
   }
   std::fprintf(stderr, "no context: 0x%x\n", unsigned(eglGetError()));
@@ -86,19 +97,52 @@ void errors(const std::string& name) {
   record(name, found);
 }
 
+// In the compatibility profile: warped quads of one colour, and an error that the debug log has where errors are errors.
+void warped_quads(bool may_err, const std::string& name) {
+  glUseProgram(0);
+  const GLubyte white[] = {255, 255, 255, 255};
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white);
+  glEnable(GL_TEXTURE_2D);
+  glColor3f(0.2f, 0.4f, 0.6f);
+  for (const GLenum mode : {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}) {
+    glBegin(mode);
+    const float corners[4][2] = {{-0.9f, -1}, {0.8f, -0.9f}, {0.25f, 1}, {-0.5f, 0.9f}};
+    for (int i = 0; i < 4; ++i) {
+      const auto& corner = corners[mode == GL_QUAD_STRIP ? i ^ (i >> 1) : i];
+      glTexCoord2f(corner[0] > 0, corner[1] > 0);
+      glVertex2f(corner[0], corner[1]);
+      if (may_err && mode == GL_POLYGON && i == 2) glEnable(GL_LIGHTING);
+    }
+    glEnd();
+  }
+  GLint flags = 0, waiting = 0;
+  glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+  glGetIntegerv(GL_DEBUG_LOGGED_MESSAGES, &waiting);
+  const GLint numbers[] = {flags, waiting, GLint(glGetGraphicsResetStatus())};
+  record("numbers " + name, numbers, sizeof numbers);
+  errors("errors of the quads " + name);
+  record_picture("picture " + name);
+}
+
 }  // namespace
 }  // namespace truequad::semantics
 
 int main(int count, char** arguments) {
   using namespace truequad::semantics;
   if (count != 3) return 2;
-  const bool es = std::string(arguments[1]) == "es";
-  open_context(es);
+  const std::string kind = arguments[1];
+  const bool es = kind == "es";
+  open_context(kind);
   open_records(arguments[2]);
   glViewport(0, 0, kWidth, kHeight);
   for (int round = 0; round < 2; ++round) {
     const std::string name = std::to_string(round);
     glClear(GL_COLOR_BUFFER_BIT);
+    if (!es && kind != "core") {
+      warped_quads(kind != "no_error", name);
+      continue;
+    }
     triangle(es);
     errors("errors of the triangle " + name);
     // Neither has glBegin: every call is an error or nothing.

@@ -30,7 +30,7 @@ std::map<std::string, std::string> parse(const std::string& bytes) {
 
 }  // namespace
 
-Outcome run_program(std::vector<std::string> words, bool with_truequad, const std::string& mode) {
+Outcome run_program(std::vector<std::string> words, bool with_truequad, const std::string& mode, bool color) {
   const doors_test::Scratch scratch;
   const std::string records = scratch / "records", statistics = scratch / "statistics";
   std::map<std::string, std::string> environment;
@@ -38,6 +38,7 @@ Outcome run_program(std::vector<std::string> words, bool with_truequad, const st
     environment = {{"LD_PRELOAD", TRUEQUAD_PRELOAD},
                    {"TRUEQUAD_MODE", mode},
                    {"TRUEQUAD_TOLERANCE", "0.25"},
+                   {"TRUEQUAD_COLOR", color ? "1" : "0"},
                    {"TRUEQUAD_STATS", statistics}};
   }
   words.push_back(records);
@@ -65,8 +66,8 @@ std::vector<std::string> words_of(const Job& job) {
 }  // namespace
 
 Outcome run_natively(const Job& job) { return run_program(words_of(job), false); }
-Outcome run_with_truequad(const Job& job, const std::string& mode) {
-  return run_program(words_of(job), true, mode);
+Outcome run_with_truequad(const Job& job, const std::string& mode, bool color) {
+  return run_program(words_of(job), true, mode, color);
 }
 
 }  // namespace truequad::semantics

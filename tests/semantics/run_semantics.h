@@ -34,10 +34,11 @@ struct Job {
 };
 
 // The same for any program: `words` and the file of records.
-Outcome run_program(std::vector<std::string> words, bool with_truequad, const std::string& mode = "bilinear");
+Outcome run_program(std::vector<std::string> words, bool with_truequad, const std::string& mode = "bilinear",
+                    bool color = false);
 
-// A program that fails is a failed test, and leaves no records. `mode`: of truequad.
+// A program that fails is a failed test, and leaves no records. `mode`, `color`: of truequad.
 Outcome run_natively(const Job& job);
-Outcome run_with_truequad(const Job& job, const std::string& mode = "bilinear");
+Outcome run_with_truequad(const Job& job, const std::string& mode = "bilinear", bool color = false);
 
 }  // namespace truequad::semantics

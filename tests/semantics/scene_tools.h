@@ -28,9 +28,35 @@ class Ramp {
   float direction_[3], low_ = 0, size_ = 1;
 };
 
+// How a scene's primitives reach OpenGL: as they are, or as a display list for each shape.
+enum class Lists { kNone, kCompile, kCompileAndExecute };
+inline Lists listing = Lists::kNone;
+
+// While it lives, calls go into a list; then that has been executed once, and is gone.
+class Listed {
+ public:
+  Listed() {
+    if (listing == Lists::kNone) return;
+    list_ = glGenLists(1);
+    glNewList(list_, listing == Lists::kCompile ? GL_COMPILE : GL_COMPILE_AND_EXECUTE);
+  }
+  ~Listed() {
+    if (listing == Lists::kNone) return;
+    glEndList();
+    if (listing == Lists::kCompile) glCallList(list_);
+    glDeleteLists(list_, 1);
+  }
+  Listed(const Listed&) = delete;
+  Listed& operator=(const Listed&) = delete;
+
+ private:
+  GLuint list_ = 0;
+};
+
 // The shape with warped coordinates; `attributes(vertex, number)` comes before each vertex.
 template <typename F>
 void send_with(const Shape& shape, F attributes) {
+  const Listed listed;
   for (const Primitive& primitive : shape.primitives) {
     glBegin(primitive.mode);
     int number = 0;

@@ -76,7 +76,11 @@ const std::vector<Expected> kScenes = {
     {"samples_passed", 0},
     {"primitives_generated", 0},
     {"vertices_submitted", 0},
+    {"primitives_submitted", 0},
+    {"vertex_invocations", 0},
     {"clipping_input", 0},
+    {"clipping_output", 0},
+    {"fragment_invocations", 0},
     {"conditional", 0},
     {"transform_feedback", 0},
     {"fragment_program", 0, Corrected::kNone},
@@ -119,9 +123,11 @@ Difference difference(const std::string& a, const std::string& b, int tolerance)
 
 class Scenes : public testing::TestWithParam<Expected> {};
 
-void expect_native(const Expected& expected, const std::string& interface) {
-  const Job job{interface, expected.scene, 0, expected.seeds};
-  const Outcome native = run_natively(job), seen = run_with_truequad(job);
+// `way`: a prefix of the scene's name (draw_semantics.cc).
+void expect_native(const Expected& expected, const std::string& interface, const std::string& way = "", bool color = false) {
+  const Job job{interface, way + expected.scene, 0, expected.seeds};
+  const Outcome native = run_natively({interface, expected.scene, 0, expected.seeds}),
+                seen = run_with_truequad(job, "bilinear", color);
   ASSERT_FALSE(native.records.empty() || seen.records.empty());
   ASSERT_EQ(native.records.size(), seen.records.size());
   EXPECT_GT(seen.quads, 0);
@@ -136,10 +142,10 @@ void expect_native(const Expected& expected, const std::string& interface) {
     ASSERT_EQ(bytes.size(), other.size()) << name;
     const Difference found = difference(bytes, other, picture ? expected.tolerance : 0);
     largest = std::max(largest, found.largest);
-    EXPECT_EQ(found.bytes, 0) << interface << " " << name << ": from byte " << found.first << " on, by up to "
+    EXPECT_EQ(found.bytes, 0) << interface << " " << job.scene << " " << name << ": from byte " << found.first << " on, by up to "
                               << found.largest;
   }
-  std::printf("%s %s: %zu records, %ld quads, %ld corrected\n", interface.c_str(), expected.scene,
+  std::printf("%s %s: %zu records, %ld quads, %ld corrected\n", interface.c_str(), job.scene.c_str(),
               native.records.size(), seen.quads, seen.corrected);
 }
 
@@ -162,6 +168,72 @@ TEST_P(OtherInterfaces, AreTheDriversOwn) {
     }
   }
 }
+
+// Scenes that record what is asked for in words of their own, or make lists themselves.
+bool draws_shapes(const std::string& scene) {
+  for (const char* other : {"feedback", "selection", "state", "attribute_stack", "lists", "debug_output", "names", "errors_at_last",
+                            "pictures_of_calls", "illegal_calls", "legal_calls", "calls_of_mixed_sizes"}) {
+    if (scene == other) return false;
+  }
+  return true;
+}
+
+// Each shape is a list, which is compiled and then called, or executed while it is compiled: the picture is that of
+// immediate mode. (Mesa's own compiled lists cut quads along the other diagonal.)
+class InLists : public testing::TestWithParam<const char*> {};
+
+TEST_P(InLists, AreTheDriversOwn) {
+  for (Expected expected : kScenes) {
+    if (!draws_shapes(expected.scene)) continue;
+    expected.seeds = 1;
+    expect_native(expected, "osmesa", GetParam());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Feature, InLists, testing::Values("compile:", "execute:"),
+                         [](const auto& info) { return std::string(info.param).substr(0, 7); });
+
+// What is one colour or linear in the position is as natively with TRUEQUAD_COLOR=1 too.
+TEST(WithColours, AreTheDriversOwn) {
+  for (Expected expected : kScenes) {
+    expected.seeds = std::min(expected.seeds, 2u);
+    expect_native(expected, "osmesa", "", true);
+  }
+}
+
+// Other colours are drawn the same whichever way the quads come, and not as natively.
+TEST(WithColours, AreTheSameEveryWay) {
+  const Job immediate{"osmesa", "kinked", 0, 1};
+  const Outcome wanted = run_with_truequad(immediate, "bilinear", true), native = run_natively(immediate);
+  ASSERT_FALSE(wanted.records.empty());
+  EXPECT_EQ(wanted.corrected, wanted.quads);
+  EXPECT_FALSE(wanted.records == native.records);
+  for (const char* way : {"compile:kinked", "execute:kinked", "kinked_arrays", "compile:kinked_arrays"}) {
+    const Outcome seen = run_with_truequad({"osmesa", way, 0, 1}, "bilinear", true);
+    EXPECT_EQ(seen.corrected, wanted.corrected) << way;
+    for (const auto& [name, bytes] : wanted.records) EXPECT_TRUE(bytes == seen.records.at(name)) << way << " " << name;
+  }
+}
+
+// Textures of other kinds are corrected as those of two dimensions are, to the last bit.
+class SeenTextures : public testing::TestWithParam<const char*> {};
+
+TEST_P(SeenTextures, AreThoseOfTwoDimensions) {
+  const Job job{"osmesa", GetParam(), 0, 2};
+  const Outcome native = run_natively(job), seen = run_with_truequad(job);
+  ASSERT_FALSE(native.records.empty() || seen.records.empty());
+  EXPECT_GT(seen.corrected, 0);
+  bool changed = false;
+  for (const auto& [name, bytes] : seen.records) {
+    changed |= bytes != native.records.at(name);
+    if (!name.starts_with("seen ")) continue;
+    EXPECT_TRUE(bytes == seen.records.at("plane " + name.substr(5))) << name;
+  }
+  EXPECT_TRUE(changed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Feature, SeenTextures, testing::Values("seen_1d", "seen_3d", "seen_rectangle"),
+                         [](const auto& info) { return std::string(info.param); });
 
 INSTANTIATE_TEST_SUITE_P(Feature, OtherInterfaces, testing::Values("egl", "glx"),
                          [](const auto& info) { return std::string(info.param); });

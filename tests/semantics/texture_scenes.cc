@@ -171,6 +171,7 @@ void warped(unsigned first, unsigned seeds) {
   glEnable(target);
   for_each_planar(first, seeds, "", [](const Shape& shape) {
     const Ramp red(shape, 1, 0.5f, 0.2f), green(shape, -0.5f, 1, 0.1f);
+    const Listed listed;
     for (const Primitive& primitive : shape.primitives) {
       glBegin(primitive.mode);
       for (const Vertex& v : primitive.vertices) {
@@ -190,11 +191,42 @@ void warped(unsigned first, unsigned seeds) {
   glEnable(GL_TEXTURE_2D);
 }
 
+// A ramp that is seen, in a texture of another kind and in one of two dimensions: with the same coordinates, which warp it.
+template <GLenum target>
+void seen(unsigned first, unsigned seeds) {
+  prepare_scene();
+  for (const bool plane : {false, true}) {
+    glDisable(target);
+    glDisable(GL_TEXTURE_2D);
+    const GLenum kind = plane ? GLenum(GL_TEXTURE_2D) : target;
+    bind_ramp(kind);
+    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glEnable(kind);
+    for_each_planar(first, seeds, plane ? "plane " : "seen ", [&](const Shape& shape) {
+      const float size = kind == GL_TEXTURE_RECTANGLE ? kTexels : 1;
+      for (const Primitive& primitive : shape.primitives) {
+        glBegin(primitive.mode);
+        for (const Vertex& v : primitive.vertices) {
+          if (target == GL_TEXTURE_1D) glTexCoord1f(v.u);
+          else if (target == GL_TEXTURE_3D) glTexCoord3f(v.u, v.v, 0.5f);
+          else glTexCoord2f(size * v.u, (size == 1 ? 1 : 4) * v.v);
+          glVertex3f(v.position[0], v.position[1], v.position[2]);
+        }
+        glEnd();
+      }
+    });
+  }
+  glDisable(target);
+  glEnable(GL_TEXTURE_2D);
+}
+
 // The program's own q, on a ramp that is seen: left alone to the last bit.
 void own_q(unsigned first, unsigned seeds) {
   prepare_scene();
   bind_ramp(GL_TEXTURE_2D);
   for_each_planar(first, seeds, "", [](const Shape& shape) {
+    const Listed listed;
     for (const Primitive& primitive : shape.primitives) {
       glBegin(primitive.mode);
       int number = 0;
@@ -237,6 +269,9 @@ const std::vector<Scene>& texture_scenes() {
       {"warped_1d", warped<GL_TEXTURE_1D>},
       {"warped_3d", warped<GL_TEXTURE_3D>},
       {"warped_rectangle", warped<GL_TEXTURE_RECTANGLE>},
+      {"seen_1d", seen<GL_TEXTURE_1D>},
+      {"seen_3d", seen<GL_TEXTURE_3D>},
+      {"seen_rectangle", seen<GL_TEXTURE_RECTANGLE>},
       {"own_q", own_q},
       {"sphere_map", sphere_map},
   };
