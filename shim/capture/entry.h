@@ -18,6 +18,7 @@ struct Entry {
   bool inside;             // between glBegin and glEnd, as far as the program's calls tell
   ListCompile* list;       // non-null between glNewList and glEndList
   bool playing;            // the calls are those of a list that is called
+  bool relisting;          // and quads that need no correction are compiled again (relist.h)
   int list_depth;          // lists that call each other
   bool arrays_known;       // context->arrays is what the driver has (array_state.h)
 };

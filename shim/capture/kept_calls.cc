@@ -82,7 +82,10 @@ struct Kept<row, member, void(GLAPIENTRY*)(Arguments...)> {
     KeptCalls* kept = kept_calls(entry);
     unsigned char* to = kept ? kept->add(sizeof(RowId) + (size_of<Arguments>(property) + ...)) : nullptr;
     if (!to) return;
-    if constexpr (row.family == Family::Vertex) entry.list->kept_inside |= !entry.list->kept_primitive;
+    if constexpr (row.family == Family::Vertex) {
+      entry.list->kept_inside |= !entry.list->kept_primitive;
+      if (Part* const part = entry.list->kept) part->paired &= part->inside;
+    }
     const RowId id = row.id;
     std::memcpy(to, &id, sizeof id);
     to += sizeof id;
@@ -147,6 +150,8 @@ void GLAPIENTRY keep_begin(GLenum mode) {
   ListCompile& list = *entry.list;
   if (!list.kept_primitive && !list.kept_inside) list.kept->opens = true;
   list.kept_primitive = true;
+  list.kept->paired &= !list.kept->inside;
+  list.kept->inside = true;
 }
 
 void GLAPIENTRY keep_end() {
@@ -156,6 +161,10 @@ void GLAPIENTRY keep_end() {
   const RowId id = kKeptEnd;
   std::memcpy(to, &id, sizeof id);
   entry.list->kept_inside |= !entry.list->kept_primitive;
+  if (Part* const part = entry.list->kept) {
+    part->paired &= part->inside;
+    part->inside = false;
+  }
 }
 
 constexpr Driver make_keeping() {

@@ -198,7 +198,7 @@ void execute_kept(Entry& e) {
   const bool inside = e.inside;
   outside_list(e, [&] {
     e.inside = list->executed_inside;
-    play_kept(e, *part);
+    play_kept(e, *part, Played::kExecuted);
     list->executed_inside = e.inside;
     if (e.active) {
       // Cut in the midst of a primitive: the rest of it is the driver's.

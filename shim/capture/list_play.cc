@@ -60,7 +60,7 @@ void play(Entry& e, const SplitList& list) {
         e.driver->CallList(part->name);
         if (part->half != Part::Half::kNone) driver_is(e, part->half == Part::Half::kBegins);
         break;
-      case Part::Kind::kKept: play_kept(e, *part); break;
+      case Part::Kind::kKept: play_kept(e, *part, Played::kCalled); break;
       case Part::Kind::kCall: play_list(e, part->name); break;
       case Part::Kind::kCallMany: play_lists(e, GLsizei(part->name), part->type, part->names); break;
     }
@@ -103,16 +103,19 @@ void play_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
   for (GLsizei i = 0; i < count; ++i) play_list(e, base + name_at(type, names, i));
 }
 
-void play_kept(Entry& e, const Part& part) {
+void play_kept(Entry& e, const Part& part, Played how) {
   if (e.inside && part.opens) {
     // "GL_INVALID_OPERATION": a primitive inside another. Drivers then draw nothing of a compiled one.
     barrier(e);
     return e.driver->Begin(GL_QUADS);
   }
-  const bool outer = e.playing;
+  const bool outer = e.playing, outer_relisting = e.relisting;
   e.playing = true;
+  // A list that has but half of a primitive, and vertices called inside of one, are immediate mode's to drivers as well.
+  e.relisting = how == Played::kCalled && !e.list && !e.inside && part.paired && !part.inside;
   part.kept.play(e);
   e.playing = outer;
+  e.relisting = outer_relisting;
 }
 
 void call_list(Entry& e, GLuint name) {

@@ -22,7 +22,8 @@ bool list_answer(const Entry& entry, GLenum name, GLint& answer);
 void play_list(Entry& entry, GLuint list);
 void play_lists(Entry& entry, GLsizei count, GLenum type, const void* lists);
 
-// Makes the calls of a kept part.
-void play_kept(Entry& entry, const Part& part);
+// Makes the calls of a kept part. While they are executed as they are compiled they are immediate mode's.
+enum class Played : std::uint8_t { kCalled, kExecuted };
+void play_kept(Entry& entry, const Part& part, Played how);
 
 }  // namespace truequad

@@ -28,6 +28,8 @@ struct Part {
   unsigned char* names = nullptr;
   KeptCalls kept;
   bool opens = false;  // kKept: has a glBegin before any vertex or glEnd
+  bool inside = false;   // kKept: the calls so far end between glBegin and glEnd
+  bool paired = true;    // and each vertex was between a glBegin and the next glEnd
   Part* next = nullptr;
 
   explicit Part(Kind k) : kind(k) {}

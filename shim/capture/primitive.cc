@@ -12,6 +12,7 @@
 #include "capture/drawn.h"
 #include "capture/list_compile.h"
 #include "capture/quads.h"
+#include "capture/relist.h"
 #include "capture/replay.h"
 #include "capture/state.h"
 #include "kernel/affine_fast.h"
@@ -54,7 +55,7 @@ bool now_is(const Capture& c, Slot slot, unsigned place) {
 // Held to open: the program's glBegin, the vertices of the window, and what was set after the last of them.
 void materialise(Capture& c) {
   close_mesh(c);
-  c.driver->Begin(c.mode);
+  begin_in_driver(c);
   c.began = true;
   set_state(c, State::kOpen);
   const WindowOrder window = window_order(c);
@@ -77,7 +78,7 @@ void materialise(Capture& c) {
 }  // namespace
 
 void cut(Capture& c) {
-  c.driver->End();
+  end_in_driver(c);
   c.counters.flushes.add(1);
   set_state(c, State::kHeld);
 }
@@ -294,6 +295,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.watch = c.listing ? Watch::kNothing : watch(c, reason);
   if (c.watch == Watch::kNothing && !c.listing) c.unnoted = true;
   if (c.listing || e.playing) c.counted_before = c.counters.quads();
+  c.relist = relist_name(e, mode);
   c.lights_read = LightsRead::kNothing;
   const bool color = c.options->color && reason == Reason::kNone;
   c.judged = color ? kInterpolatedSlots : kTextureSlots;
@@ -306,7 +308,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   } else {
     c.live = 0;
     // In a list the first quad is held: Mesa draws a lone quad of three vertices that is compiled.
-    set_state(c, mode == GL_POLYGON || c.start_held || c.listing ? State::kHeld : State::kOpen);
+    set_state(c, mode == GL_POLYGON || c.start_held || c.listing || c.relist ? State::kHeld : State::kOpen);
   }
 }
 
@@ -384,6 +386,7 @@ void begin_quads(Entry& e, GLenum mode) {
       set_active(e, c);
       if (c->state == State::kHeld) return;
       c->began = true;
+      return begin_in_driver(*c);
     }
   }
   e.driver->Begin(mode);
@@ -411,9 +414,11 @@ void end_quads(Entry& e) {
       for_each_slot(c.live, [&](Slot slot) { replay_now(c, slot); });
       return;
     }
+    // What is left over is nothing in a list that has more than this primitive.
+    if (c.corrected || c.began) c.relist = 0;
     materialise(c);
   }
-  c.driver->End();
+  end_in_driver(c);
 }
 
 void barrier(Entry& e) {

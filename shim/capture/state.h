@@ -79,6 +79,7 @@ struct Capture {
   bool view_read = false;
   bool elements_found = false;  // the arrays of glArrayElement are known for this Begin
   bool listing = false;         // a list is being compiled: the driver draws nothing now
+  GLuint relist = 0;            // in which list the driver's primitives are compiled before they are drawn; 0: in none
   std::uint64_t counted_before = 0;  // quads of this thread before this Begin, if it is of a list
   FrameView view;
   // Called before anything is drawn in the place of a quad, if not null: a draw from arrays (array_draw.cc).

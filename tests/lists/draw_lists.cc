@@ -129,6 +129,35 @@ void inside_executed_begin(const Scene& scene, bool many) {
   }
 }
 
+// Three quads side by side in one glBegin. The outer ones are nearly affine, so that they need no correction, but their
+// colours and textures show along which diagonal they are cut; the one in the middle needs correction.
+void three_quads() {
+  look_elsewhere();
+  glViewport(0, 0, canvas_width, canvas_height);
+  glEnable(GL_TEXTURE_2D);
+  glShadeModel(GL_SMOOTH);
+  glNewList(9, GL_COMPILE);
+  glBegin(GL_QUADS);
+  for (int i = 0; i < 3; ++i) {
+    const float left = -0.95f + 0.65f * float(i), right = left + 0.55f, bent = i == 1 ? 0.2f : 0.005f;
+    glColor3f(1, 0.5f, 0.5f);
+    glTexCoord2f(0, 0);
+    glVertex2f(left, -0.8f);
+    glColor3f(0, 1, 0);
+    glTexCoord2f(1, 0);
+    glVertex2f(right, -0.8f);
+    glColor3f(0.5f, 0.5f, 1);
+    glTexCoord2f(1, 1);
+    glVertex2f(right - bent, 0.8f);
+    glColor3f(1, 1, 0);
+    glTexCoord2f(0, 1);
+    glVertex2f(left, 0.8f);
+  }
+  glEnd();
+  glEndList();
+  glCallList(9);
+}
+
 using Way = void (*)(const Scene&);
 
 const std::map<std::string, Way>& ways() {
@@ -302,6 +331,7 @@ const std::map<std::string, Way>& ways() {
            glListBase(0);
          }
        }},
+      {"three_quads", [](const Scene&) { three_quads(); }},
       {"inside_executed_begin", [](const Scene& s) { inside_executed_begin(s, false); }},
       {"inside_executed_begin_many", [](const Scene& s) { inside_executed_begin(s, true); }},
       {"among_others",
