@@ -92,6 +92,9 @@ class Runs(unittest.TestCase):
         status, words = self.run_with([{"a": test()}], [{"a": test(err="")}])
         self.assertEqual(status, 1, words)
         self.assertIn("not at work", words)
+        status, words = self.run_with([{"a": test()}], [{"a": test(err=SEEN.replace("affine", "unknown_context"))}])
+        self.assertEqual(status, 1, words)
+        self.assertIn("not at work", words)
 
 
 if __name__ == "__main__":
