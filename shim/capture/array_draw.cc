@@ -66,7 +66,7 @@ class Drawing {
     c.drawing = this;
     c.before_draw = before_draw;
     note_rows(bit(kPosition) | textures);
-    quick_ = c.watch == Watch::kNothing && textures != 0;
+    quick_ = c.textures_alone && textures != 0;
     for_each_slot(bit(kPosition) | textures, [&](Slot slot) { quick_ = quick_ && sources[slot].floats(); });
   }
 
