@@ -15,4 +15,11 @@ void draw_rectangle(Entry& e, T x1, T y1, T x2, T y2, Own own) {
   own();
 }
 
+// Corners behind pointers: they are read only where the driver would read them to draw.
+template <typename T, typename Own>
+void draw_rectangle(Entry& e, const T* v1, const T* v2, Own own) {
+  if (e.active || e.inside || e.list || !e.context) return own();
+  draw_rectangle(e, v1[0], v1[1], v2[0], v2[1], own);
+}
+
 }  // namespace truequad
