@@ -151,7 +151,12 @@ int choose_lines(const Densities& densities, const Insets& inset, const std::arr
 double inset_change(const Estimate& found, double goal_px, bool& reachable) {
   const double map_px = found.map_px, rest_px = found.rasteriser_px;
   const double root = goal_px * goal_px - 4 * map_px * rest_px;
-  if (!(rest_px < kInfinity) || !(map_px < kInfinity) || rest_px < 0.01 * goal_px) {
+  // A smaller inset makes this worse, until the block's vertices are snapped to the edge and cover other pixels.
+  if (!(rest_px < kInfinity)) {
+    reachable = false;
+    return 1;
+  }
+  if (!(map_px < kInfinity) || rest_px < 0.01 * goal_px) {
     return std::clamp(goal_px / found.px(), 0.25, 0.98);
   }
   if (root >= 0) return std::clamp((goal_px + std::sqrt(root)) / (2 * map_px), 0.25, 4.0);
