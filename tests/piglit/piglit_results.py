@@ -38,6 +38,11 @@ def outcomes(tests):
     return run
 
 
+def not_passed(tests):
+    """Names of the tests that did not pass, or have a subtest that did not."""
+    return sorted({test_of(name) for name, result in outcomes(tests).items() if result != "pass"})
+
+
 def test_of(name):
     """The test that has to be run again for this name."""
     return name.split(SUBTEST)[0]
@@ -56,11 +61,14 @@ def judge(names, native_runs, other_runs):
     """Splits names into regressions and what is only unsteady.
 
     A regression was never as good in any of the other runs as natively. What once was is listed as unsteady, with all
-    its results: tests that are so natively cannot prove anything.
+    its results: tests that are so natively cannot prove anything. Nor can a test that natively always fails, now in one
+    way and now in another: there the other runs may be as bad as the worst.
     """
     regressions, unsteady = [], []
     for name in names:
-        if badness(best(other_runs, name)) > badness(best(native_runs, name)):
+        native = [badness(run.get(name, "incomplete")) for run in native_runs]
+        allowed = max(native) if min(native) >= badness("fail") else min(native)
+        if badness(best(other_runs, name)) > allowed:
             regressions.append(name)
         else:
             unsteady.append(name)
