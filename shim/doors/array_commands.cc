@@ -48,6 +48,16 @@ TQ_DELETE(DeleteBuffersARB)
     const auto own = [&] { entry.dispatch->name arguments; };   \
     draw;                                                       \
   }
+// Two functions: a door that kept its parameters for what may follow would put them on the stack for every draw of triangles.
+#define TQ_DRAW_OF(name, parameters, arguments, draw)                             \
+  [[gnu::noinline]] static void draw_##name parameters {                              \
+    const auto own = [&] { entry.dispatch->name arguments; };                         \
+    draw;                                                                             \
+  }                                                                                   \
+  TRUEQUAD_DOOR void GLAPIENTRY gl##name parameters {                                 \
+    if (!may_have_quads(entry, mode)) [[likely]] return entry.dispatch->name arguments; \
+    draw_##name arguments;                                                            \
+  }
 #include "capture/array_calls.inc"
 
 }  // extern "C"
