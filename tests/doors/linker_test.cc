@@ -1,6 +1,9 @@
 // The doors of dlsym() and dlopen() jump: run paths, RTLD_NEXT and RTLD_DEFAULT mean what they mean without them.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
+
 #include "run.h"
 
 namespace truequad::doors_test {
@@ -27,9 +30,13 @@ constexpr const char* kAnswers =
     "program: '' not found, dlerror says so\n";
 
 TEST(Linker, AnswersAsWithoutUs) {
-  const Ended natively = run({TRUEQUAD_LINKER_PROGRAM}, {{"LD_PRELOAD", ""}});
+  // A sanitizer's runtime has a dlopen() of its own, which loses the run path of its caller.
+  constexpr std::string_view kWithoutUs = TRUEQUAD_WITHOUT_US;
+  const Ended natively = run({TRUEQUAD_LINKER_PROGRAM}, {{"LD_PRELOAD", std::string(kWithoutUs)}});
   EXPECT_EQ(natively.status, 0) << natively.err;
-  EXPECT_EQ(natively.out, kAnswers);
+  if (kWithoutUs.empty()) {
+    EXPECT_EQ(natively.out, kAnswers);
+  }
   for (const char* dl : {"dlsym", "dlopen"}) {
     SCOPED_TRACE(dl);
     const Ended ended = run({TRUEQUAD_LINKER_PROGRAM}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_DL", dl}});

@@ -13,7 +13,7 @@ namespace truequad::images {
 namespace {
 
 // Small pictures: what costs time is the driver, and what is tested depends on the number of quads.
-constexpr int kWidth = 96, kHeight = 72, kSeeds = 30;
+constexpr int kWidth = 96, kHeight = 72, kSeeds = 12;
 
 class Sanitized : public testing::TestWithParam<Family> {};
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "../trials.h"
 #include "error_model.h"
 #include "measure.h"
 
@@ -16,11 +17,11 @@ class Promise : public testing::TestWithParam<int> {};
 TEST_P(Promise, HoldsAtEveryMeasuredPoint) {
   const Kind kind = Kind(GetParam());
   // Together over all kinds at least 100,000; the one-dimensional reference samples curves and is slow.
-  const unsigned trials = kind == Kind::kOneDimensional ? 300 : 6700;
+  const unsigned count = trials(kind == Kind::kOneDimensional ? 300 : 6700);
   Plan& plan = scratch_plan();
   int meshes = 0, finite = 0, passes = 0, within = 0;
   double tightest = 0;
-  for (unsigned trial = 0; trial < trials; ++trial) {
+  for (unsigned trial = 0; trial < count; ++trial) {
     const Quad quad = random_quad(kind, trial);
     Limits limits;
     limits.tolerance_px = quad.tolerance_px;
@@ -53,7 +54,7 @@ TEST_P(Promise, HoldsAtEveryMeasuredPoint) {
   printf("%s: %d meshes, %d with a finite bound, %d within tolerance, %d passes, tightest %.4f\n",
          name(kind).c_str(), meshes, finite, within, passes, tightest);
   // A bound that is infinite or far from the truth is kept by anything.
-  EXPECT_GT(meshes + passes, int(trials) / 2);
+  EXPECT_GT(meshes + passes, int(count) / 2);
   if (kind != Kind::kFoldedTexture && kind != Kind::kTextureCollinear && kind != Kind::kOneDimensional) {
     EXPECT_GE(finite, meshes * 0.99);
     EXPECT_GE(within, meshes * 0.8);

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "../trials.h"
 #include "measure.h"
 
 namespace truequad::test {
@@ -34,7 +35,7 @@ void expect_drawable(const Plan& plan) {
 
 TEST(HardCases, AnyBitsAnywhere) {
   Plan& p = scratch_plan();
-  for (unsigned trial = 0; trial < 40000; ++trial) {
+  for (unsigned trial = 0; trial < trials(40000); ++trial) {
     std::mt19937_64 engine(trial);
     const double special[] = {0,
                               -0.0,
