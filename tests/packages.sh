@@ -6,7 +6,8 @@
 
 declare -A truequad_packages=(
   # The library and the command.
-  [build]="cmake ninja-build g++ libglm-dev libpugixml-dev khronos-api libcli11-dev libgl-dev libegl-dev libosmesa6-dev"
+  [build]="cmake ninja-build g++ libglm-dev libpugixml-dev khronos-api libcli11-dev libgl-dev libegl-dev libosmesa6-dev
+    libglvnd-core-dev"
   # The sample programs and the sheets of pictures.
   [samples]="libosmesa6-dev freeglut3-dev libgl-dev libcli11-dev libglm-dev libstb-dev nlohmann-json3-dev
     imagemagick fonts-dejavu-core"

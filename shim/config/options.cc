@@ -62,6 +62,15 @@ bool parse_dl(std::string_view text, Options& options) {
   return choose(text, kLevels, options.dl);
 }
 
+bool parse_vendor(std::string_view text, Options& options) {
+  const std::size_t colon = text.find(':');
+  if (colon == text.npos || text.size() >= sizeof options.vendor_glx) return false;
+  const std::string_view glx = text.substr(0, colon), egl = text.substr(colon + 1);
+  *std::copy(glx.begin(), glx.end(), options.vendor_glx) = '\0';
+  *std::copy(egl.begin(), egl.end(), options.vendor_egl) = '\0';
+  return true;
+}
+
 // A relative path means the folder in which the program was started, wherever it goes later.
 bool parse_stats(std::string_view text, Options& options) {
   if (text.empty()) return false;
@@ -94,6 +103,8 @@ constexpr std::array kRows = {
               parse_switch<&Options::overlay>},
     OptionRow{"dl", "TRUEQUAD_DL", "dlsym", "off, dlsym or dlopen",
               "which of the dynamic linker's functions lead to truequad", parse_dl},
+    OptionRow{"vendor", "TRUEQUAD_VENDOR", "", kVendorWords,
+              "stand between libglvnd and the driver instead of being preloaded", parse_vendor},
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ struct Options {
   bool overlay = false;
   bool color = false;
   DynamicLinker dl = DynamicLinker::kDlsym;
+  // The driver's vendor libraries, for truequad as a vendor of libglvnd; empty if there is none.
+  char vendor_glx[kPathSize] = "", vendor_egl[kPathSize] = "";
   // Where the statistics go: absolute path, "-" for stderr, empty for nowhere.
   char stats_path[kPathSize] = "";
 };
@@ -37,6 +39,8 @@ struct OptionRow {
 std::span<const OptionRow> option_rows();
 // What OptionRow::accepts says of a switch, which is a flag of the command.
 inline constexpr std::string_view kSwitchWords = "0 or 1";
+// And of a row that is a flag of the command too, which finds out what the library is to read.
+inline constexpr std::string_view kVendorWords = "the driver's vendor libraries, GLX:EGL";
 
 // The settings of this process. The environment is read once, at the first call; a bad setting costs one line on
 // stderr and leaves the default. May be called from any thread.

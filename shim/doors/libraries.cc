@@ -44,6 +44,9 @@ constexpr Api kRealApis[] = {Api::kGlx, Api::kEgl, Api::kOsmesa};
 const Interface& interface_of(Api api) { return kInterfaces[std::size_t(api)]; }
 
 constinit thread_local bool looking_up = false;
+constinit std::array<std::atomic<GetProcAddress>, kApiCount> vendors = {};
+
+GetProcAddress vendor_of(Api api) { return vendors[std::size_t(api)].load(std::memory_order_relaxed); }
 
 void* symbol_in(void* library, const char* name) { return real_dlsym()(library, name); }
 
@@ -79,7 +82,9 @@ void* in_libraries(Api api, const char* name) {
   for (const char* library_name : interface_of(api).libraries) {
     void* library = is_loaded(library_name) ? loaded_library(library_name) : nullptr;
     if (!library) continue;
-    if (void* function = unless_ours(symbol_in(library, name), name)) return function;
+    // A front end (front_ends/) has the name of a driver's library.
+    void* function = symbol_in(library, name);
+    if (function && !is_ours(function)) return function;
     dlclose(library);
   }
   return nullptr;
@@ -139,7 +144,6 @@ bool leads_to_us(const void* function, const char* name) { return function == sy
 
 // What the API's getProcAddress says.
 void* ask(Api api, const char* name) {
-  using GetProcAddress = void* (*)(const char*);
   for (const char* get_proc_address : interface_of(api).get_proc_address) {
     if (!get_proc_address) continue;
     const auto get = reinterpret_cast<GetProcAddress>(next_symbol(api, get_proc_address));
@@ -178,7 +182,21 @@ void* next_symbol(Api api, const char* name) {
   return in_libraries(api, name);
 }
 
+void set_vendor(Api api, GetProcAddress get) {
+  vendors[std::size_t(api)] = get;
+  vendors[std::size_t(Api::kNext)] = get;
+}
+
+void* vendor_symbol(Api api, const char* name) {
+  const bool outer = looking_up;
+  looking_up = true;
+  void* function = vendor_of(api)(name);
+  looking_up = outer;
+  return unless_ours(function, name);
+}
+
 void* command_symbol(Api api, const char* name) {
+  if (vendor_of(api)) return vendor_symbol(api, name);
   if (api == Api::kNext) return next_symbol(api, name);
   void* function = follower(name);
   if (function && !is_foreign(api, function)) return function;
@@ -190,6 +208,7 @@ void* command_symbol(Api api, const char* name) {
 }
 
 void* interface_symbol(Api api, const char* name) {
+  if (vendor_of(api)) return vendor_symbol(api, name);
   if (void* function = next_symbol(api, name)) return function;
   return ask(api, name);
 }

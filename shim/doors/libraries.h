@@ -23,6 +23,12 @@ void* command_symbol(Api api, const char* name);
 // A function of the API itself (glX…, egl…, OSMesa…), extensions included. Null if there is none.
 void* interface_symbol(Api api, const char* name);
 
+// As a vendor library (vendor.cc) we are behind libGL and libEGL, whose symbols lead to us: from then on everything of
+// the API, and what belongs to no known context, is found by the driver's own function alone.
+using GetProcAddress = void* (*)(const char* name);
+void set_vendor(Api api, GetProcAddress get);
+void* vendor_symbol(Api api, const char* name);
+
 // True if an address is in this library.
 bool is_ours(const void* address);
 

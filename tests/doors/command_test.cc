@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 
@@ -124,6 +127,64 @@ TEST(Command, SaysAsAShellWhenTheProgramCannotRun) {
   expect_complaint(truequad({(scratch / "plain").string()}), 126, "plain");
   expect_complaint(truequad({scratch.path().string()}), 126, scratch.path().string());
   expect_complaint(truequad({(scratch / "plain").string() + "/below"}), 127, "below");
+}
+
+// The vendors are files here, so that the test knows which there are.
+TEST(Command, StandsBetweenLibglvndAndTheDriver) {
+  const Scratch scratch;
+  const std::string one = scratch / "one.json", two = scratch / "two.json";
+  std::ofstream(one) << "{ \"ICD\" : { \"library_path\" : \"libEGL_one.so.0\" } }";
+  std::ofstream(two) << "{ \"ICD\" : { \"library_path\" : \"libEGL_two.so.0\" } }";
+  const std::string show = "echo \"$TRUEQUAD_VENDOR|$__GLX_VENDOR_LIBRARY_NAME|$LD_PRELOAD\"";
+  const std::map<std::string, std::string> known = {{"__GLX_VENDOR_LIBRARY_NAME", "one"},
+                                                    {"__EGL_VENDOR_LIBRARY_FILENAMES", one},
+                                                    {"TRUEQUAD_VENDOR", ""},
+                                                    {"LD_PRELOAD", ""}};
+  EXPECT_EQ(truequad({"--vendor", "sh", "-c", show}, known).out, "libGLX_one.so.0:libEGL_one.so.0|truequad|\n");
+  // A program that was started like this starts another one.
+  EXPECT_EQ(truequad({"--vendor", kCommand, "--vendor", "sh", "-c", show}, known).out,
+            "libGLX_one.so.0:libEGL_one.so.0|truequad|\n");
+  auto unknown = known;
+  unknown["__EGL_VENDOR_LIBRARY_FILENAMES"] = one + ":" + two;
+  expect_complaint(truequad({"--vendor", "true"}, unknown), 2, "libEGL_one.so.0, libEGL_two.so.0");
+  // Two libraries of GLX.
+  unknown = known;
+  unknown["__GLX_VENDOR_LIBRARY_NAME"] = "";
+  unknown["LD_LIBRARY_PATH"] = scratch.path();
+  for (const char* name : {"libGLX_one.so.0", "libGLX_two.so.0"}) std::ofstream(scratch / name) << "";
+  expect_complaint(truequad({"--vendor", "true"}, unknown), 2, "__GLX_VENDOR_LIBRARY_NAME");
+}
+
+TEST(Command, StandsForTheLibrariesThatItWasBuiltFor) {
+  const std::string show = "echo \"$LD_LIBRARY_PATH|$LD_PRELOAD\"";
+  const std::map<std::string, std::string> none = {{"LD_PRELOAD", ""}, {"LD_LIBRARY_PATH", ""}};
+  const std::string place = fs::path(kLibrary).parent_path() / "truequad-libraries";
+  EXPECT_EQ(truequad({"--library-path", "sh", "-c", show}, none).out, place + "|\n");
+  EXPECT_EQ(truequad({"--library-path", kCommand, "--library-path", "sh", "-c", show}, none).out, place + "|\n");
+  // Another libGL comes first here.
+  const Scratch scratch;
+  fs::copy_file(kLibrary, scratch / "libGL.so.1");
+  expect_complaint(truequad({"--library-path", "true"}, {{"LD_PRELOAD", ""}, {"LD_LIBRARY_PATH", scratch.path()}}), 2,
+                   "libGL.so.1 is");
+  expect_complaint(truequad({"--library-path", "--vendor", "true"}), 2, "--library-path");
+}
+
+// With privileges of its own a program gets neither; it runs all the same.
+TEST(Command, SaysThatAProgramHasPrivileges) {
+  const Scratch scratch;
+  // Root makes a program that is somebody else's; anybody else finds one that is root's.
+  std::string program = "/usr/bin/su";
+  if (::getuid() == 0) {
+    program = scratch / "privileged";
+    fs::copy_file("/bin/true", program);
+    ASSERT_EQ(::chown(program.c_str(), 65534, 65534), 0);
+    ASSERT_EQ(::chmod(program.c_str(), 04755), 0);
+    fs::permissions(scratch.path(), fs::perms::owner_all | fs::perms::others_exec | fs::perms::group_exec);
+  }
+  const Ended ended = truequad({program, "--version"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("privileges"));
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }
 
 TEST(Command, FindsTheLibraryWhereItWasInstalled) {

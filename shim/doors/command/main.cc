@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "config/options.h"
+#include "doors/command/other_doors.h"
 
 namespace {
 
@@ -60,7 +61,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "truequad " TRUEQUAD_VERSION);
   app.prefix_command();  // the first word that is no option of ours begins the program's own
   std::map<std::string, std::string> settings;
-  bool no_dl = false;
+  bool no_dl = false, library_path = false, vendor = false;
+  CLI::Option* by_library_path =
+      app.add_flag("--library-path", library_path, "Instead of being preloaded, stand in the place of libGL and libOSMesa");
   app.add_flag("--no-dl", no_dl, "The same as --dl off");
   std::map<std::string, bool> switches;
   for (const truequad::OptionRow& row : truequad::option_rows()) {
@@ -68,6 +71,8 @@ int main(int argc, char** argv) {
     const std::string help = std::string(row.help) + ": " + std::string(row.accepts);
     if (row.accepts == truequad::kSwitchWords) {
       app.add_flag(name, switches[row.variable], std::string(row.help));
+    } else if (row.accepts == truequad::kVendorWords) {
+      app.add_flag(name, vendor, std::string(row.help))->excludes(by_library_path);
     } else {
       app.add_option_function<std::string>(
              name, [&settings, &row](const std::string& text) { settings[row.variable] = text; }, help)
@@ -94,8 +99,18 @@ int main(int argc, char** argv) {
   if (preload.find_first_of(" :") != std::string::npos) {
     return complain("cannot be preloaded from " + preload + ": the path has a space or a colon", kBadArguments);
   }
-  if (const char* others = std::getenv("LD_PRELOAD"); others && *others) preload += std::string(":") + others;
-  ::setenv("LD_PRELOAD", preload.c_str(), 1);
+  if (vendor || library_path) {
+    const fs::path directory = fs::path(preload).parent_path();
+    const std::string refusal = vendor ? truequad::become_vendor(directory) : truequad::stand_for_libraries(directory);
+    if (!refusal.empty()) return complain(refusal, kBadArguments);
+  } else {
+    if (const char* others = std::getenv("LD_PRELOAD"); others && *others) preload += std::string(":") + others;
+    ::setenv("LD_PRELOAD", preload.c_str(), 1);
+  }
+  if (truequad::is_privileged(words[0])) {
+    std::fprintf(stderr, "truequad: %s runs with privileges of its own, so the dynamic linker leaves truequad out\n",
+                 words[0].c_str());
+  }
   for (const auto& [variable, on] : switches) {
     if (on) ::setenv(variable.c_str(), "1", 1);
   }

@@ -46,11 +46,12 @@ const std::vector<std::pair<std::string, Words>> kDoors = {
     {"`--no-dl`", {"--no-dl"}},
     {"(default)", {}},
     {"`--dl dlopen`", {"--dl", "dlopen"}},
+    {"`--vendor`", {"--vendor"}},
+    {"`--library-path`", {"--library-path"}},
 };
 
 Ended run_steadily(const Words& words, std::map<std::string, std::string> environment = {}) {
   environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
-  environment["GALLIUM_DRIVER"] = "softpipe";  // starts quickly
   if (words.back() == "deepbind" && words[words.size() - 2].ends_with("egl")) environment["EGL_PLATFORM"] = "surfaceless";
   return run(words, environment);
 }
