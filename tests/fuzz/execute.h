@@ -1,0 +1,65 @@
+// Makes the calls of steps, and writes down what the program can see of them.
+#pragma once
+
+#include "gl.h"
+#include "ops.h"
+#include "random.h"
+
+namespace truequad::fuzz {
+
+inline constexpr int kCanvas = 32;
+inline constexpr int kUnits = 2;  // texture units that sequences use
+
+// Where shapes lie: whole numbers, so that every type of every call says exactly the same.
+struct Corner {
+  int x, y, z, s, t;
+};
+Corner corner(std::uint32_t shape, int index, unsigned warp);
+
+// What a step may look at: its own numbers, and what earlier steps of the trial left.
+struct Session {
+  GLuint generated[4] = {};  // first names of glGenLists
+  int generated_count = 0, next_generated = 0;
+  int depth_attrib = 0;
+  int context = 0;
+  void* mapped = nullptr;
+  std::int64_t mapped_size = 0;
+};
+
+void execute(const Op& op, Session& session);
+
+// Parts of execute(), a file for each.
+void execute_vertex(const Op& op);       // attributes.cc
+void execute_attribute(const Op& op);
+void execute_material(const Op& op);
+void execute_list(const Op& op, Session& session);   // execute_lists.cc
+void execute_state(const Op& op, Session& session);  // execute_state.cc
+void execute_other(const Op& op, Session& session);  // execute_other.cc
+void execute_arrays(const Op& op, Session& session); // execute_arrays.cc
+void fill_arena();
+void point_arrays();
+
+// Names of lists that sequences use.
+GLuint list_name(Random& random, const Session& session);
+
+// An enum of those that are right, or now and then another.
+template <typename... T>
+GLenum pick(Random& random, T... choices) {
+  const GLenum all[] = {GLenum(choices)...};
+  if (random.chance(2)) return random.of<GLenum>({0, 1, GL_TRIANGLES, GL_TEXTURE_3D, 0x1234, 0xffffffff, GL_FLOAT, GL_BACK});
+  return all[random.below(sizeof...(choices))];
+}
+
+// fuzz_program.cc: switches between two contexts that share lists; lines of the trace.
+void make_current(int context);
+void record(const char* format, ...) __attribute__((format(printf, 1, 2)));
+void record_errors();
+
+// digest.cc: everything that can be asked. Prints each answer if `verbose`, else one number of all.
+extern bool verbose;
+void record_state();
+
+extern float feedback_buffer[256];
+extern GLuint selection_buffer[64];
+
+}  // namespace truequad::fuzz

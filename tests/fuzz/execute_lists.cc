@@ -1,0 +1,80 @@
+// Display lists, and the numbers that they have.
+#include <cstring>
+
+#include "execute.h"
+
+namespace truequad::fuzz {
+
+GLuint list_name(Random& random, const Session& session) {
+  if (session.generated_count > 0 && random.chance(15)) {
+    return session.generated[random.below(session.generated_count)] + GLuint(random.below(2));
+  }
+  if (random.chance(2)) return random.of<GLuint>({0, 1000, 0x7fffffff, 0xffffffff});
+  return GLuint(1 + random.below(6));
+}
+
+namespace {
+
+template <typename T>
+void put(unsigned char* to, T value) {
+  std::memcpy(to, &value, sizeof value);
+}
+
+void call_lists(Random& random, const Session& session) {
+  const GLenum type = pick(random, GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_2_BYTES,
+                           GL_3_BYTES, GL_4_BYTES);
+  const int count = random.chance(3) ? -1 : random.below(4);
+  static unsigned char names[64];
+  std::memset(names, 0, sizeof names);
+  for (int i = 0; i < 4; ++i) {
+    const GLuint name = list_name(random, session);
+    print_note("name %u", name);
+    switch (type) {
+      case GL_BYTE: case GL_UNSIGNED_BYTE: names[i] = (unsigned char)(name); break;
+      case GL_SHORT: case GL_UNSIGNED_SHORT: put(names + 2 * i, GLushort(name)); break;
+      case GL_FLOAT: put(names + 4 * i, GLfloat(GLint(name)) + (random.chance(10) ? 0.75f : 0)); break;
+      case GL_2_BYTES: names[2 * i] = (unsigned char)(name >> 8), names[2 * i + 1] = (unsigned char)(name); break;
+      case GL_3_BYTES: names[3 * i + 1] = (unsigned char)(name >> 8), names[3 * i + 2] = (unsigned char)(name); break;
+      case GL_4_BYTES: names[4 * i + 2] = (unsigned char)(name >> 8), names[4 * i + 3] = (unsigned char)(name); break;
+      default: put(names + 4 * i, name);
+    }
+  }
+  GL(CallLists, count, type, names);
+}
+
+}  // namespace
+
+void execute_list(const Op& op, Session& session) {
+  Random random(op.seed);
+  switch (op.step) {
+    case Step::kNewList: {
+      const GLuint name = op.shape || random.chance(85) ? GLuint(1 + op.index) : list_name(random, session);
+      return GL(NewList, name, pick(random, op.warp & 1 ? GL_COMPILE_AND_EXECUTE : GL_COMPILE));
+    }
+    case Step::kEndList: return GL(EndList);
+    case Step::kCallList: return GL(CallList, op.index > 0 ? GLuint(op.index) : list_name(random, session));
+    case Step::kCallLists: return call_lists(random, session);
+    case Step::kDeleteLists: {
+      const int count = random.of({1, 1, 1, 2, 3, 0, -1});
+      return GL(DeleteLists, list_name(random, session), count);
+    }
+    case Step::kGenLists: {
+      if (random.chance(40)) {
+        const GLuint name = list_name(random, session);
+        record("IsList %u: %d", name, GL(IsList, name));
+        return;
+      }
+      const GLuint first = GL(GenLists, random.of({1, 1, 2, 3, 0, -1}));
+      record("GenLists: %u", first);
+      if (first) {
+        session.generated[session.next_generated] = first;
+        session.next_generated = (session.next_generated + 1) % 4;
+        session.generated_count = session.generated_count < 4 ? session.generated_count + 1 : 4;
+      }
+      return;
+    }
+    default: return GL(ListBase, random.of<GLuint>({0, 0, 0, 1, 2, 0xffffffff}));
+  }
+}
+
+}  // namespace truequad::fuzz

@@ -1,0 +1,252 @@
+// fuzz_program --trials FIRST COUNT [--print]: runs the sequences of trials on OSMesa, one after the other in one process.
+// fuzz_program --file FILE [--print]: runs those that a file has. --print: says their calls and every answer.
+// A program like any other, which knows nothing of truequad. What it sees is written to standard output.
+#include "execute.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+extern "C" {
+struct osmesa_context;
+osmesa_context* OSMesaCreateContextExt(unsigned format, int depth, int stencil, int accumulation, osmesa_context* share);
+unsigned char OSMesaMakeCurrent(osmesa_context* context, void* pixels, unsigned type, int width, int height);
+void OSMesaDestroyContext(osmesa_context* context);
+}
+
+namespace truequad::fuzz {
+namespace {
+
+osmesa_context* contexts[2];
+unsigned char pixels[2][kCanvas * kCanvas * 4];
+
+std::uint64_t hash(const void* bytes, std::size_t size) {
+  std::uint64_t value = 0xcbf29ce484222325u;
+  for (std::size_t i = 0; i < size; ++i) value = (value ^ static_cast<const unsigned char*>(bytes)[i]) * 0x100000001b3u;
+  return value;
+}
+
+void make_textures() {
+  static unsigned char texels[8 * 8 * 4];
+  for (int i = 0; i < 64; ++i) {
+    const unsigned char texel[] = {(unsigned char)(i % 8 * 30 + 20), (unsigned char)(i / 8 * 30 + 20), (unsigned char)(i * 4), 255};
+    std::memcpy(texels + 4 * i, texel, 4);
+  }
+  for (GLuint name = 0; name < 4; ++name) {
+    for (GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D}) {
+      if (target == GL_TEXTURE_1D && name > 0) continue;
+      gl.BindTexture(target, name);
+      gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      if (target == GL_TEXTURE_1D) gl.TexImage1D(target, 0, GL_RGBA, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+      else gl.TexImage2D(target, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    }
+  }
+}
+
+void prepare_context() {
+  make_textures();
+  for (int unit = kUnits - 1; unit >= 0; --unit) {
+    gl.ActiveTexture(GL_TEXTURE0 + GLuint(unit));
+    gl.BindTexture(GL_TEXTURE_2D, GLuint(unit));
+    gl.MatrixMode(GL_TEXTURE);
+    gl.LoadIdentity();
+    gl.Scalef(0.125f, 0.125f, 1);
+    gl.Translatef(0.03f, 0.03f, 0);
+  }
+  gl.MatrixMode(GL_PROJECTION);
+  gl.LoadIdentity();
+  gl.Ortho(0, kCanvas, 0, kCanvas, -40, 40);
+  gl.MatrixMode(GL_MODELVIEW);
+  gl.LoadIdentity();
+  gl.Viewport(0, 0, kCanvas, kCanvas);
+  gl.Scissor(0, 0, kCanvas, kCanvas);
+  gl.Enable(GL_TEXTURE_2D);
+}
+
+void create_contexts() {
+  contexts[0] = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, nullptr);
+  contexts[1] = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, contexts[0]);
+  if (!contexts[0] || !contexts[1]) std::exit(70);
+  for (int i : {1, 0}) {
+    make_current(i);
+    prepare_context();
+  }
+}
+
+void begin_trial(int context) {
+  make_current(context);
+  gl.ClearColor(0.1f, 0.2f, 0.3f, 0.4f);
+  gl.ClearDepth(1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+  gl.PushClientAttrib(GL_ALL_ATTRIB_BITS);
+  point_arrays();
+  gl.MatrixMode(GL_PROJECTION);
+  gl.PushMatrix();
+  gl.MatrixMode(GL_MODELVIEW);
+}
+
+// Leaves whatever the sequence was in.
+void close_trial() {
+  GL(End);
+  GL(EndList);
+  GL(End);
+  record_errors();
+  if (gl.UnmapBuffer) {
+    GL(UnmapBuffer, GL_ARRAY_BUFFER);
+    GL(UnmapBuffer, GL_ELEMENT_ARRAY_BUFFER);
+  }
+  record("RenderMode: %d", GL(RenderMode, GL_RENDER));
+  for (GLenum target : {GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED}) GL(EndQuery, target);
+  record_errors();
+}
+
+GLint ask(GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+// The state as begin_trial() found it.
+void restore() {
+  if (gl.UnlockArraysEXT) gl.UnlockArraysEXT();
+  if (gl.UseProgram) gl.UseProgram(0);
+  if (gl.BindVertexArray) gl.BindVertexArray(0);
+  while (ask(GL_CLIENT_ATTRIB_STACK_DEPTH) > 0) gl.PopClientAttrib();
+  while (ask(GL_ATTRIB_STACK_DEPTH) > 0) gl.PopAttrib();
+  const struct { GLenum mode, depth; } kStacks[] = {{GL_TEXTURE, GL_TEXTURE_STACK_DEPTH}, {GL_PROJECTION, GL_PROJECTION_STACK_DEPTH},
+                                                    {GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH}};
+  for (int unit = kUnits - 1; unit >= 0; --unit) {
+    gl.ActiveTexture(GL_TEXTURE0 + GLuint(unit));
+    for (const auto& stack : kStacks) {
+      gl.MatrixMode(stack.mode);
+      while (ask(stack.depth) > 1) gl.PopMatrix();
+    }
+  }
+  prepare_context();
+  for (GLuint attribute = 0; attribute < 16; ++attribute) {
+    gl.DisableVertexAttribArray(attribute);
+    if (attribute > 0) gl.VertexAttrib4f(attribute, 0, 0, 0, 1);
+  }
+  for (GLuint name = 1; name < 5; ++name) gl.DeleteBuffers(1, &name);
+  gl.DeleteLists(1, 2000);
+  for (GLuint name : {0x7fffffffu, 0xffffffffu}) gl.DeleteLists(name, 1);
+  for (int i = 0; i < 10 && gl.GetError() != GL_NO_ERROR; ++i) {
+  }
+}
+
+void record_pixels(int context) {
+  gl.Finish();
+  record("colour %016llx", static_cast<unsigned long long>(hash(pixels[context], sizeof pixels[context])));
+  static unsigned char depth[kCanvas * kCanvas * 4], stencil[kCanvas * kCanvas];
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, kCanvas, kCanvas, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+  gl.ReadPixels(0, 0, kCanvas, kCanvas, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
+  record("depth %016llx", static_cast<unsigned long long>(hash(depth, sizeof depth)));
+  record("stencil %016llx", static_cast<unsigned long long>(hash(stencil, sizeof stencil)));
+  char covered[kCanvas * 9 + 1];
+  for (int y = 0; y < kCanvas; ++y) {
+    unsigned row = 0;
+    for (int x = 0; x < kCanvas; ++x) row |= unsigned(pixels[context][(y * kCanvas + x) * 4 + 3] != 102) << x;
+    std::snprintf(covered + 9 * y, 10, "%08x ", row);
+  }
+  record("covered %s", covered);
+}
+
+void run(const Sequence& sequence) {
+  Session session;
+  std::memset(feedback_buffer, 0, sizeof feedback_buffer);
+  std::memset(selection_buffer, 0, sizeof selection_buffer);
+  for (int i : {1, 0}) begin_trial(i);
+  for (const Op& op : sequence) execute(op, session);
+  for (int i : {session.context, session.context ^ 1}) {
+    make_current(i);
+    close_trial();
+    record_state();
+    record_pixels(i);
+  }
+  for (int i : {1, 0}) {
+    make_current(i);
+    restore();
+  }
+}
+
+int main(int count, char** arguments) {
+  static char buffer[1 << 16];
+  std::setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
+  if (count > 3 && !std::strcmp(arguments[count - 1], "--print")) {
+    --count;
+    std::setvbuf(stdout, nullptr, _IONBF, 0);
+    printing = verbose = true;
+  }
+  load_gl();
+  fill_arena();
+  create_contexts();
+  const auto run_trial = [](std::uint64_t trial, const Sequence& sequence) {
+    std::printf("trial %llu\n", static_cast<unsigned long long>(trial));
+    std::fflush(stdout);
+    run(sequence);
+  };
+  if (count == 3 && !std::strcmp(arguments[1], "--file")) {
+    std::vector<Sequence> sequences;
+    if (!read(arguments[2], sequences)) return 2;
+    for (std::size_t i = 0; i < sequences.size(); ++i) run_trial(i, sequences[i]);
+  } else if (count == 4 && !std::strcmp(arguments[1], "--trials")) {
+    const std::uint64_t first = std::strtoull(arguments[2], nullptr, 10), trials = std::strtoull(arguments[3], nullptr, 10);
+    for (std::uint64_t trial = first; trial < first + trials; ++trial) {
+      run_trial(trial, generate(trial, kind_of(trial)));
+    }
+  } else {
+    std::fprintf(stderr, "usage: %s --trials FIRST COUNT [--print] | --file FILE [--print]\n", arguments[0]);
+    return 2;
+  }
+  std::puts("done");
+  return 0;
+}
+
+}  // namespace
+
+void make_current(int context) {
+  print_note("context %d", context);
+  OSMesaMakeCurrent(contexts[context], pixels[context], GL_UNSIGNED_BYTE, kCanvas, kCanvas);
+}
+
+void record(const char* format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  std::vprintf(format, arguments);
+  va_end(arguments);
+  std::putchar('\n');
+}
+
+void record_errors() {
+  for (int i = 0; i < 4; ++i) {
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR) break;
+    record("error %x", error);
+  }
+}
+
+void execute(const Op& op, Session& session) {
+  switch (op.step) {
+    case Step::kBegin: return GL(Begin, GLenum(op.index));
+    case Step::kEnd: return GL(End);
+    case Step::kVertex: case Step::kTexCoord: return execute_vertex(op);
+    case Step::kAttribute: return execute_attribute(op);
+    case Step::kMaterial: return execute_material(op);
+    case Step::kNewList: case Step::kEndList: case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists:
+    case Step::kGenLists: case Step::kListBase: return execute_list(op, session);
+    case Step::kMatrix: case Step::kEnable: case Step::kTexGen: case Step::kTexture: case Step::kLighting: case Step::kRaster:
+    case Step::kPushAttrib: case Step::kPopAttrib: return execute_state(op, session);
+    case Step::kPointer: case Step::kClientState: case Step::kDrawArrays: case Step::kDrawElements: case Step::kArrayElement:
+    case Step::kInterleaved: case Step::kBuffer: case Step::kMapBuffer: case Step::kVertexArray: case Step::kRestart:
+    case Step::kLockArrays: return execute_arrays(op, session);
+    default: return execute_other(op, session);
+  }
+}
+
+}  // namespace truequad::fuzz
+
+int main(int count, char** arguments) { return truequad::fuzz::main(count, arguments); }
