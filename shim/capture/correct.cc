@@ -32,7 +32,6 @@ Reason find_reason(Capture& c) {
     c.view_read = true;
   }
   if (c.view.pass != Reason::kNone) return c.view.pass;
-  if (c.extensions_used & ~caps.extensions) return Reason::kMissingExtension;
   if (c.live & kGenericSlots) return Reason::kGenericAttribute;
   return Reason::kNone;
 }

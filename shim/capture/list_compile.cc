@@ -61,6 +61,7 @@ bool start_split(Entry& e) {
     delete split;
     return false;
   }
+  list.existed = list.driver->IsList(list.name) != GL_FALSE;
   // What the driver has compiled so far is the first part, under the program's own name: it stays reserved.
   part->name = list.name;
   list.split = split;
@@ -106,7 +107,6 @@ void new_list(Entry& e, GLuint name, GLenum mode) {
   e.dispatch->NewList(name, mode);
   // Errors begin no list (GL 2.1 section 5.4).
   if (e.list || e.inside || name == 0 || (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) || !e.context) return;
-  if (e.context->group) e.context->group->note_name(name);
   e.list = new (std::nothrow) ListCompile(name, mode, e.driver);
   if (!e.list || mode != GL_COMPILE) return;
   e.list->leading = new (std::nothrow) Part(Part::Kind::kKept);
@@ -166,7 +166,10 @@ void end_list(Entry& e) {
   const bool only_compiled = list.mode == GL_COMPILE;
   delete e.list;
   e.list = nullptr;
-  if (ShareGroup* group = group_of(e)) delete_parts(e, group->put(name, split));
+  if (ShareGroup* group = group_of(e)) {
+    group->note_name(name);
+    delete_parts(e, group->put(name, split));
+  }
   // What was compiled has not happened.
   if (only_compiled) e.inside = false;
 }

@@ -13,6 +13,7 @@ struct ListCompile {
   const GLuint name;
   const GLenum mode;           // GL_COMPILE or GL_COMPILE_AND_EXECUTE
   SplitList* split = nullptr;  // null: all is in the driver's own list so far
+  bool existed = false;        // before it was split: the program has such a list until glEndList
   bool driver_open = true;     // the driver is compiling; else calls go to `keeping`
   bool opened_inside = false;     // its part began between glBegin and glEnd
   bool unmatched_end = false;     // and has a glEnd that no glBegin of the list goes before

@@ -154,13 +154,16 @@ GLuint gen_lists(Entry& e, GLsizei count) {
   barrier(e);
   ShareGroup* const group = group_of(e);
   const GLuint largest = group ? group->largest_name() : 0;
-  if (group && group->any_hidden() && count > 0 && !e.inside && !e.list &&
-      std::uint64_t(largest) + std::uint64_t(count) < ShareGroup::kHidden) {
-    // The driver would count on from our names. "A contiguous set of count previously unused display list names": empty
-    // lists, as it makes them itself.
+  // The driver would count on from our names, or from that of a list that is split and not yet ended.
+  const bool by_us = group && (group->any_hidden() || (e.list && e.list->split)) && count > 0 && !e.inside &&
+                     std::uint64_t(largest) + std::uint64_t(count) < ShareGroup::kHidden;
+  if (by_us && e.list && e.list->leading) open_driver_part(e);
+  if (by_us && (!e.list || end_driver_part(e))) {
+    // "A contiguous set of count previously unused display list names": empty lists, as it makes them itself.
+    const Driver& driver = *real_driver(e);
     for (GLuint name = largest + 1; name <= largest + GLuint(count); ++name) {
-      e.driver->NewList(name, GL_COMPILE);
-      e.driver->EndList();
+      driver.NewList(name, GL_COMPILE);
+      driver.EndList();
     }
     group->note_name(largest + GLuint(count));
     return largest + 1;
@@ -173,6 +176,7 @@ GLuint gen_lists(Entry& e, GLsizei count) {
 GLboolean is_list(Entry& e, GLuint name) {
   const GLboolean is = e.dispatch->IsList(name);
   const ShareGroup* const group = group_of(e);
+  if (is && e.list && e.list->split && name == e.list->name) return GLboolean(e.list->existed);
   return group && group->is_hidden(name) ? GLboolean(GL_FALSE) : is;
 }
 

@@ -234,6 +234,7 @@ bool polygon_vertex(Capture& c) {
   if (held) materialise(c);
   set_state(c, State::kPassive);
   c.live = ~SlotMask(0);
+  c.extensions = ~0u;
   c.next = 4;  // further vertices overwrite it
   c.quads = 1;  // one shape, and not ours: nothing is left to count
   return !held;
@@ -288,7 +289,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.next = 0;
   c.due = 3;
   c.raw_kept = 0;
-  c.extensions_used = 0;
+  c.extensions = e.context && e.context->caps_read ? e.context->caps.extensions : 0;
   c.quads = 0;
   c.began = c.mesh_open = c.mesh_unlit = c.calls_grew = c.corrected = c.view_read = c.elements_found = false;
   c.listing = e.list != nullptr;
@@ -304,6 +305,7 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   if (reason != Reason::kNone) {
     c.passive_reason = reason;
     c.live = ~SlotMask(0);
+    c.extensions = ~0u;
     set_state(c, State::kPassive);
   } else {
     c.live = 0;
@@ -337,6 +339,19 @@ bool quad_complete(Capture& c) {
   return finish_quad(c);
 }
 
+namespace {
+
+// A value that earlier vertices of the window still need was overwritten in the driver by a call that was forwarded.
+bool value_lost(const Capture& c) {
+  const WindowOrder window = window_order(c);
+  for (unsigned i = 0; i < window.count; ++i) {
+    if (c.live & ~c.present[window[i]]) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 void set_first(Capture& c, Slot slot) {
   const WindowOrder window = window_order(c);
   const SlotMask live = c.live | bit(slot);
@@ -348,22 +363,29 @@ void set_first(Capture& c, Slot slot) {
       abandon(c, Reason::kDisplayList);
       return;
     }
-    bool lost = false;
-    for (unsigned i = 0; i < window.count; ++i) lost |= (c.live & ~c.present[window[i]]) != 0;
-    if (lost) {
-      // The driver's value from before was overwritten by a call that was forwarded.
-      abandon(c, Reason::kUnmodelledCall);
-      return;
-    }
+    if (value_lost(c)) return abandon(c, Reason::kUnmodelledCall);
     // The driver still has the value of the earlier vertices, and keeps it while we hold what follows.
     cut(c);
   }
   c.live = live;
 }
 
+void use_extension(Capture& c, unsigned extension) {
+  const std::uint32_t wanted = 1u << extension;
+  ContextRecord& context = *c.entry->context;
+  if (!context.caps_read && !c.listing && (c.state == State::kHeld || !value_lost(c))) {
+    if (c.state == State::kOpen) cut(c);
+    close_mesh(c);
+    caps_of(context, *c.driver);
+  }
+  if (context.caps_read) c.extensions = context.caps.extensions;
+  if (!(c.extensions & wanted)) abandon(c, Reason::kMissingExtension);
+}
+
 void abandon(Capture& c, Reason reason) {
   if (c.state == State::kPassive) return;
   if (c.state == State::kHeld) materialise(c);
+  c.extensions = ~0u;
   c.passive_reason = reason;
   c.live = ~SlotMask(0);
   set_state(c, State::kPassive);

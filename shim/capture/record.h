@@ -41,19 +41,29 @@ inline Float4 default_value(Family family) {
                                                                                              : Float4{{0, 0, 0, 1}};
 }
 
+// Values of Capture::pending beyond the slots.
+inline constexpr Slot kGiveUp = kSlots, kUseExtension = kSlots + 1;  // + its number
+
+// What becomes of a call that the driver lacks is the driver's affair: nothing, or an error.
 template <Row row>
-inline void note_extension(Capture& c) {
-  if constexpr (row.extension >= 0) c.extensions_used |= 1u << row.extension;
+inline bool may_lack_extension(Capture& c) {
+  if constexpr (row.extension >= 0) {
+    if (!(c.extensions & (1u << row.extension))) [[unlikely]] {
+      c.pending = kUseExtension + unsigned(row.extension);
+      return true;
+    }
+  }
+  return false;
 }
 
 // `raw_size` bytes at `raw` replace the floats in a replay; 0: the floats are the arguments.
 template <Row row, unsigned raw_size>
 inline Step attribute(Capture& c, Slot slot, const Float4& value, const void* raw) {
+  if (may_lack_extension<row>(c)) return Step::kPending;
   if (!(c.live & bit(slot))) [[unlikely]] {
     c.pending = slot;
     return Step::kPending;
   }
-  note_extension<row>(c);
   store_whole(c.now[slot], value);
   c.now_row[slot] = row.id;
   if constexpr (raw_size > 0) {
@@ -71,7 +81,7 @@ inline void copy_slot(Capture& c, Slot slot, unsigned place) {
 
 template <Row row, unsigned raw_size>
 inline Step vertex(Capture& c, const Float4& position, const void* raw) {
-  note_extension<row>(c);
+  if (may_lack_extension<row>(c)) return Step::kPending;
   const unsigned place = c.next;
   store_whole(c.at[kPosition][place], position);
   c.row[kPosition][place] = row.id;
@@ -117,7 +127,7 @@ inline Step numbers(Capture& c, Slot slot, const T* values) {
 
 // GL says what is wrong with such a call, now and in its order.
 inline Step give_up(Capture& c) {
-  c.pending = kSlots;
+  c.pending = kGiveUp;
   return Step::kPending;
 }
 
@@ -273,11 +283,12 @@ bool resolve(Capture& c, Arguments... arguments) {
   Step step;
   do {
     if (c.pending == kPosition) return quad_complete(c);
-    if (c.pending == kSlots) {
+    if (c.pending == kGiveUp) {
       abandon(c, Reason::kUnmodelledCall);
       return true;
     }
-    set_first(c, c.pending);
+    if (c.pending >= kUseExtension) use_extension(c, c.pending - kUseExtension);
+    else set_first(c, c.pending);
     step = record<row>(c, arguments...);
   } while (step == Step::kPending);
   return step == Step::kForward;

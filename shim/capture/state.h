@@ -48,8 +48,8 @@ struct Capture {
   bool forwarding = true;   // calls go to the driver: state != kHeld
   Watch watch = Watch::kNothing;
   bool textures_alone = true;  // decide about a quad: nothing to watch, and colours do not matter
-  Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, or give up
-  std::uint32_t extensions_used = 0;  // bit i: a call of kExtensions[i]
+  Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, give up …
+  std::uint32_t extensions = 0;  // bit i: the driver is known to have kExtensions[i], or it does not matter
 
   SlotMask present[kWindow];              // slots that were live when the vertex was given
   RowId now_row[kSlots];                  // the call that set the value
@@ -118,6 +118,8 @@ Capture* allocate_capture(Entry& entry);
 bool quad_complete(Capture& c);
 // `slot` is about to be set for the first time in this Begin.
 void set_first(Capture& c, Slot slot);
+// The first call of kExtensions[extension]: does the driver have it? If not, gives up.
+void use_extension(Capture& c, unsigned extension);
 // Gives up for the rest of this Begin. Afterwards the driver has seen everything, and calls are forwarded.
 void abandon(Capture& c, Reason reason);
 // draw.cc: makes the driver forget which sizes of calls it has seen.

@@ -165,8 +165,8 @@ void execute_vertex(const Op& op) {
   if (op.step == Step::kTexCoord) {
     if (plain && size == 2) return GL(TexCoord2f, GLfloat(c.s), GLfloat(c.t));
     const Family family = !plain && random.chance(30) ? Family::MultiTexCoord : Family::TexCoord;
-    Values values = {{double(c.s), double(c.t), 0, 1}, {GL_TEXTURE0 + GLuint(random.below(100) / 85), 0, 0}};
-    if (random.chance(1)) values.leading[0] = random.of<GLuint>({GL_TEXTURE0 + 40, 0, GL_TEXTURE0 - 1});
+    Values values = {{double(c.s), double(c.t), 0, 1}, {GL_TEXTURE0 + GLuint(op.warp & kOneSlot ? 0 : random.below(100) / 85), 0, 0}};
+    if (random.chance(1) && !(op.warp & kOneSlot)) values.leading[0] = random.of<GLuint>({GL_TEXTURE0 + 40, 0, GL_TEXTURE0 - 1});
     return make(random, some_call(random, family, size), values);
   }
   // Where calls of two numbers are mixed with others, all lie in one plane.
@@ -179,7 +179,7 @@ void execute_vertex(const Op& op) {
 
 void execute_attribute(const Op& op) {
   Random random(op.seed);
-  const Family family = random.of({Family::Color, Family::Color, Family::Color, Family::SecondaryColor, Family::Normal, Family::Normal,
+  const Family family = op.warp & kOneSlot ? Family::Color : random.of({Family::Color, Family::Color, Family::Color, Family::SecondaryColor, Family::Normal, Family::Normal,
                                    Family::FogCoord, Family::Index, Family::EdgeFlag, Family::MultiTexCoord, Family::TexCoord,
                                    Family::VertexAttrib, Family::VertexAttribI, Family::VertexAttribL, Family::VertexAttribNV, Family::VertexAttribP});
   Values values = {{random.of({0.0, 0.25, 0.5, 1.0, 0.7}), random.of({0.0, 1.0, 0.3}), random.of({0.0, 1.0, 0.6}), 1}, {0, 0, 0}};
@@ -188,7 +188,7 @@ void execute_attribute(const Op& op) {
   if (random.chance(3)) values.at[random.below(4)] = random.of<double>({NAN, -1, 2, 1e30, 1e-40});
   // What Mesa's lists give to the components that an integer or double call leaves out is a float.
   const bool whole = family == Family::VertexAttribI || family == Family::VertexAttribL;
-  make(random, some_call(random, family, whole ? 4 : size_of(op)), values);
+  make(random, some_call(random, family, op.warp & kOneSlot ? 3 : whole ? 4 : size_of(op)), values);
 }
 
 void execute_material(const Op& op) {

@@ -8,12 +8,12 @@ GLuint selection_buffer[64];
 
 namespace {
 
-void get(Random& random) {
+void get(Random& random, bool in_list) {
   static GLdouble doubles[16];
   static GLint ints[16];
   static GLboolean booleans[16];
   for (int i = 0; i < 16; ++i) doubles[i] = -77, ints[i] = -77, booleans[i] = 77;
-  const GLenum what = pick(random, GL_LIST_INDEX, GL_LIST_MODE, GL_LIST_BASE, GL_CURRENT_COLOR, GL_CURRENT_TEXTURE_COORDS, GL_CURRENT_NORMAL,
+  const GLenum what = in_list ? pick(random, GL_LIST_INDEX, GL_LIST_MODE, GL_LIST_BASE, GL_RENDER_MODE, GL_MAX_LIST_NESTING) : pick(random, GL_LIST_INDEX, GL_LIST_MODE, GL_LIST_BASE, GL_CURRENT_COLOR, GL_CURRENT_TEXTURE_COORDS, GL_CURRENT_NORMAL,
                            GL_MODELVIEW_MATRIX, GL_MODELVIEW_STACK_DEPTH, GL_TEXTURE_2D, GL_RENDER_MODE, GL_MAX_LIST_NESTING,
                            GL_CURRENT_SECONDARY_COLOR, GL_EDGE_FLAG, GL_CURRENT_INDEX, GL_ATTRIB_STACK_DEPTH, GL_FEEDBACK_BUFFER_SIZE);
   switch (random.below(3)) {
@@ -108,7 +108,7 @@ void execute_other(const Op& op, Session& session) {
   switch (op.step) {
     case Step::kErrors: return record_errors();
     case Step::kDigest: return record_state();
-    case Step::kGet: return get(random);
+    case Step::kGet: return get(random, op.index != 0);
     case Step::kRenderMode: return render_mode(random);
     case Step::kNames: return names(random);
     case Step::kEvaluator: return evaluator(random);

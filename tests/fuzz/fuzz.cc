@@ -80,7 +80,7 @@ class Fuzz {
     ++tally_.findings;
     std::printf("\ntrial %llu (kind %d): %s\n", static_cast<unsigned long long>(trial), int(kind), found.c_str());
     std::fflush(stdout);
-    const Sequence small = shrink(programs_, sequence, kind, found, 90);
+    const Sequence small = shrink(programs_, sequence, kind, found, 60);
     std::fputs(describe(programs_, small, kind).c_str(), stdout);
     std::fflush(stdout);
     return true;

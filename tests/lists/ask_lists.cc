@@ -47,6 +47,9 @@ void session() {
   glColor3f(1, 0.5f, 0.25f);
   quad();
   say("after a quad");
+  is(three);
+  is(three + 1);
+  std::printf("gen %u\n", glGenLists(2));
   glColor3f(0, 0.5f, 0.25f);
   quad();
   glTranslatef(0.1f, 0, 0);
@@ -60,6 +63,22 @@ void session() {
   is(three);
   glCallList(three);
   say("called");
+  // Numbers while a list is compiled that nobody has yet.
+  glNewList(20, GL_COMPILE);
+  is(20);
+  quad();
+  is(20);
+  std::printf("gen %u\n", glGenLists(2));
+  glTranslatef(0, 0, 0);
+  std::printf("gen %u\n", glGenLists(1));
+  glEndList();
+  std::printf("gen %u\n", glGenLists(1));
+  is(20);
+  // A list of the name that is being compiled is the old one until glEndList.
+  glNewList(20, GL_COMPILE);
+  quad();
+  is(20);
+  glEndList();
   glNewList(0, GL_COMPILE);
   say("list 0");
   glNewList(three + 1, GL_TRIANGLES);
@@ -183,6 +202,21 @@ void session() {
   glListBase(0);
   say("lists by a base after that");
   quad();
+  // A call that this driver has, but not between glBegin and glEnd.
+  const auto normal = reinterpret_cast<void (*)(GLint, GLint, GLint)>(OSMesaGetProcAddress("glNormal3xOES"));
+  for (int i = 0; i < 2; ++i) {
+    glBegin(GL_QUADS);
+    glTexCoord2f(0, 0), glVertex2f(-0.9f, -0.9f);
+    glTexCoord2f(1, 0), glVertex2f(0.9f, -0.9f);
+    glTexCoord2f(1, 1), glVertex2f(0.3f, 0.9f);
+    glTexCoord2f(0, 1), glVertex2f(-0.3f, 0.9f);
+    if (normal) normal(0x4000, 0, 0x10000);
+    glEnd();
+    GLfloat now[3];
+    glGetFloatv(GL_CURRENT_NORMAL, now);
+    std::printf("normal %g %g %g\n", now[0], now[1], now[2]);
+    say("a call that is missing in a primitive");
+  }
   say("end");
 }
 
