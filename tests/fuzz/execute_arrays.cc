@@ -190,7 +190,7 @@ void point_arrays() {
 
 void fill_arena() {
   for (int vertex = 0; vertex < kVertices; ++vertex) {
-    const Corner c = corner(1000u + unsigned(vertex / 4), vertex % 4, vertex < kVertices / 2 ? kFlat : unsigned(1 << (vertex / 4 % 3)));
+    const Corner c = corner(1000u + unsigned(vertex / 4), vertex % 4, vertex < kVertices / 2 ? 0u : 1u << (vertex / 4 % 3));
     for (int type = 0; type < 4; ++type) {
       for (int size = 2; size <= 4; ++size) {
         const int position[] = {c.x, c.y, c.z, 1}, texture[] = {c.s, c.t, 0, 1};
