@@ -122,7 +122,7 @@ const Entry& some_call(Random& random, Family family, int size) {
   return found ? *found : kEntries[0];
 }
 
-int size_of(const Op& op) { return (op.warp & kAnySize) == kAnySize ? 0 : 2 + (op.warp & kAnySize) / kSize; }
+int size_of(const Op& op) { return 2 + (op.warp / kSize & 3); }
 
 GLuint packed_type(Random& random) {
   if (random.chance(3)) return random.of<GLuint>({GL_FLOAT, GL_UNSIGNED_INT_10F_11F_11F_REV, 0});
@@ -169,8 +169,7 @@ void execute_vertex(const Op& op) {
     if (random.chance(1) && !(op.warp & kOneSlot)) values.leading[0] = random.of<GLuint>({GL_TEXTURE0 + 40, 0, GL_TEXTURE0 - 1});
     return make(random, some_call(random, family, size), values);
   }
-  // Where calls of two numbers are mixed with others, all lie in one plane.
-  const int z = size == 0 || size == 2 ? 0 : c.z;
+  const int z = size == 2 ? 0 : c.z;
   if (plain && size == 3) return GL(Vertex3f, GLfloat(c.x), GLfloat(c.y), GLfloat(z));
   Values values = {{double(c.x), double(c.y), double(z), 1}, {0, 0, 0}};
   if (random.chance(1)) values.at[random.below(4)] = random.of<double>({NAN, INFINITY, 1e30, 1e-40, 0});

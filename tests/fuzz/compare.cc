@@ -19,9 +19,36 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-Seen run(const Programs& programs, bool with_truequad, const std::vector<std::string>& words, Kind kind) {
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// What was written for each trial. Statistics of a process that was forked lie beside its parent's.
+Trials divide(const std::string& text, const std::string& statistics) {
+  Trials trials;
+  Seen* seen = nullptr;
+  for (const std::string& line : lines_of(text)) {
+    int process = 0;
+    if (line.rfind("trial ", 0) == 0) {
+      seen = &trials[std::strtoull(line.c_str() + 6, nullptr, 10)];
+      seen->status = 128;  // of a program that did not come to say it
+    } else if (seen && std::sscanf(line.c_str(), "process %d %d", &process, &seen->status) == 2) {
+      const std::string path = statistics + "." + std::to_string(process);
+      const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
+      if (json.is_object()) seen->corrected = json.value("corrected", 0L);
+      ::unlink(path.c_str());
+    } else if (seen) {
+      seen->text += line + "\n";
+    }
+  }
+  return trials;
+}
+
+Trials run(const Programs& programs, bool with_truequad, const std::vector<std::string>& words, Kind kind, bool dirty = false) {
   const std::string statistics = programs.scratch + "/statistics";
-  ::unlink(statistics.c_str());
   int ends[2];
   if (::pipe(ends) != 0) std::abort();
   const pid_t child = ::fork();
@@ -32,6 +59,7 @@ Seen run(const Programs& programs, bool with_truequad, const std::vector<std::st
     ::setenv("GALLIUM_DRIVER", "softpipe", 1);
     ::setenv("DRAW_USE_LLVM", "0", 1);
     ::setenv("ASAN_OPTIONS", "detect_leaks=0:verify_asan_link_order=0", 0);
+    if (dirty) ::setenv("MALLOC_PERTURB_", "165", 1);
     if (with_truequad) {
       ::setenv("LD_PRELOAD", programs.preload.c_str(), 1);
       ::setenv("TRUEQUAD_STATS", statistics.c_str(), 1);
@@ -40,23 +68,16 @@ Seen run(const Programs& programs, bool with_truequad, const std::vector<std::st
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    ::alarm(60);
     ::execv(arguments[0], arguments.data());
     ::_exit(99);
   }
   ::close(ends[1]);
-  Seen seen;
+  std::string text;
   char buffer[1 << 16];
-  for (ssize_t got; (got = ::read(ends[0], buffer, sizeof buffer)) > 0;) seen.text.append(buffer, std::size_t(got));
+  for (ssize_t got; (got = ::read(ends[0], buffer, sizeof buffer)) > 0;) text.append(buffer, std::size_t(got));
   ::close(ends[0]);
-  int state = 0;
-  ::waitpid(child, &state, 0);
-  seen.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-  if (with_truequad) {
-    const auto json = nlohmann::json::parse(read_file(statistics), nullptr, false);
-    if (json.is_object()) seen.corrected = json.value("corrected", 0L);
-  }
-  return seen;
+  ::waitpid(child, nullptr, 0);
+  return divide(text, statistics);
 }
 
 bool may_differ(const std::string& line, Kind kind, bool corrected) {
@@ -68,39 +89,26 @@ bool may_differ(const std::string& line, Kind kind, bool corrected) {
   }
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
 
-Seen run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind) {
+Trials run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind) {
   return run(programs, with_truequad, {programs.program, "--trials", std::to_string(first), std::to_string(count)}, kind);
 }
 
-Seen run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind, bool print) {
+Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind, bool print,
+                     bool dirty) {
   const std::string path = programs.scratch + "/sequences";
   write(sequences, path);
   std::vector<std::string> words = {programs.program, "--file", path};
   if (print) words.push_back("--print");
-  return run(programs, with_truequad, words, kind);
+  return run(programs, with_truequad, words, kind, dirty);
 }
 
-std::map<std::uint64_t, std::string> divide(const std::string& text) {
-  std::map<std::uint64_t, std::string> trials;
-  std::string* trial = nullptr;
-  for (const std::string& line : lines_of(text)) {
-    if (line.rfind("trial ", 0) == 0) trial = &trials[std::strtoull(line.c_str() + 6, nullptr, 10)];
-    else if (trial) *trial += line + "\n";
-  }
-  return trials;
-}
-
-std::string difference(const std::string& native, const std::string& ours, Kind kind, bool corrected) {
-  const auto a = lines_of(native), b = lines_of(ours);
+std::string difference(const Seen& native, const Seen& ours, Kind kind) {
+  if (native.status != 0) return "";
+  if (ours.status != 0) return "crash";
+  const auto a = lines_of(native.text), b = lines_of(ours.text);
+  const bool corrected = ours.corrected > 0;
   for (std::size_t i = 0; i < a.size() || i < b.size(); ++i) {
     const std::string& x = i < a.size() ? a[i] : "missing";
     const std::string& y = i < b.size() ? b[i] : "missing";
@@ -112,12 +120,11 @@ std::string difference(const std::string& native, const std::string& ours, Kind 
 }
 
 std::string finding(const Programs& programs, const Sequence& sequence, Kind kind) {
-  const Seen ours = run_sequences(programs, true, {sequence}, kind), native = run_sequences(programs, false, {sequence}, kind);
-  if (native.status != 0) return "";
-  if (ours.status != 0) return "crash";
-  const std::string found = difference(native.text, ours.text, kind, ours.corrected > 0);
-  if (found.empty() || run_sequences(programs, false, {sequence}, kind).text != native.text) return "";
-  return found;
+  const Seen ours = run_sequences(programs, true, {sequence}, kind)[0];
+  const Seen native = run_sequences(programs, false, {sequence}, kind)[0],
+             again = run_sequences(programs, false, {sequence}, kind, false, true)[0];
+  if (native.text != again.text || native.status != again.status) return "";
+  return difference(native, ours, kind);
 }
 
 namespace {
@@ -129,17 +136,11 @@ Sequence without(const Sequence& sequence, std::size_t from, std::size_t to) {
   return rest;
 }
 
-// Which of these seem to have the finding, as far as one process for all can tell.
+// Which of these seem to have the finding; the driver alone may still not be steady in it.
 std::vector<bool> seem_to_fail(const Programs& programs, const std::vector<Sequence>& candidates, Kind kind, const std::string& found) {
-  std::vector<bool> fail(candidates.size(), found == "crash");
-  if (found == "crash") return fail;
-  const auto native = divide(run_sequences(programs, false, candidates, kind).text),
-             ours = divide(run_sequences(programs, true, candidates, kind).text);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto a = native.find(i), b = ours.find(i);
-    // What came after a crash has to be looked at alone.
-    fail[i] = a == native.end() || b == ours.end() || difference(a->second, b->second, kind, false) == found;
-  }
+  Trials native = run_sequences(programs, false, candidates, kind), ours = run_sequences(programs, true, candidates, kind);
+  std::vector<bool> fail;
+  for (std::size_t i = 0; i < candidates.size(); ++i) fail.push_back(difference(native[i], ours[i], kind) == found);
   return fail;
 }
 
@@ -170,7 +171,8 @@ Sequence shrink(const Programs& programs, Sequence sequence, Kind kind, const st
 }
 
 std::string describe(const Programs& programs, const Sequence& sequence, Kind kind) {
-  const Seen native = run_sequences(programs, false, {sequence}, kind, true), ours = run_sequences(programs, true, {sequence}, kind, true);
+  const Seen native = run_sequences(programs, false, {sequence}, kind, true)[0],
+             ours = run_sequences(programs, true, {sequence}, kind, true)[0];
   const auto a = lines_of(native.text), b = lines_of(ours.text);
   std::string text;
   for (const std::string& line : a) {

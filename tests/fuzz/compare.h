@@ -9,30 +9,31 @@
 
 namespace truequad::fuzz {
 
-// What a process wrote, and how it ended: 0, an exit status, or 128 + the number of a signal.
+// What the process of a trial wrote, and how it ended: 0, an exit status, or 128 + the number of a signal.
 struct Seen {
   std::string text;
   int status = 0;
   long corrected = 0;  // quads, if truequad was there
 };
 
+using Trials = std::map<std::uint64_t, Seen>;
+
 struct Programs {
   std::string program, preload;
   std::string scratch;  // a directory
 };
 
-Seen run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind);
-Seen run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind,
-                   bool print = false);
+Trials run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind);
+// Numbered from 0. `dirty`: new memory is not zero, so that what a driver reads without having written it shows.
+Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind,
+                     bool print = false, bool dirty = false);
 
-// What each trial wrote. The last one may be cut short by a crash.
-std::map<std::uint64_t, std::string> divide(const std::string& text);
+// The first word of the first line that differs and may not, or "crash"; empty: nothing, or the driver alone crashed.
+// Where some quad was corrected pixels may differ in any case.
+std::string difference(const Seen& native, const Seen& ours, Kind kind);
 
-// The first word of the first line that differs and may not; empty: nothing. `corrected`: whether some quad was, so that
-// pixels may differ in any case.
-std::string difference(const std::string& native, const std::string& ours, Kind kind, bool corrected);
-
-// What goes wrong with a sequence that runs alone; empty: nothing. Two native runs that differ, or end, are nobody's fault.
+// What goes wrong with a sequence that runs alone; empty: nothing. Two native runs that differ, one of them with dirty
+// memory, or that end, are nobody's fault.
 std::string finding(const Programs& programs, const Sequence& sequence, Kind kind);
 
 // The shortest sequence found with the same finding, in so many seconds.

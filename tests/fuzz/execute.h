@@ -22,6 +22,7 @@ struct Session {
   int generated_count = 0, next_generated = 0;
   int depth_attrib = 0;
   int context = 0;
+  bool listing = false;  // a list may be being compiled
   void* mapped = nullptr;
   std::int64_t mapped_size = 0;
 };
@@ -56,7 +57,9 @@ void record(const char* format, ...) __attribute__((format(printf, 1, 2)));
 void record_errors();
 
 // digest.cc: everything that can be asked. Prints each answer if `verbose`, else one number of all.
+// find_names(): which names have answers, once for all.
 extern bool verbose;
+void find_names();
 void record_state();
 
 extern float feedback_buffer[256];

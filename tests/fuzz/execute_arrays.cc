@@ -122,6 +122,19 @@ void draw_elements(Random& random) {
   }
 }
 
+// "The current values are indeterminate after" a draw from arrays (GL 2.1 section 2.8): in lists Mesa leaves those of the
+// last element.
+void set_current_values() {
+  GL(Color4f, 1.0f, 0.5f, 0.25f, 1.0f);
+  GL(SecondaryColor3f, 0.0f, 0.0f, 0.0f);
+  GL(Normal3f, 0.0f, 0.0f, 1.0f);
+  GL(FogCoordf, 0.0f);
+  GL(EdgeFlag, GLboolean(1));
+  GL(Indexf, 1.0f);
+  for (int unit = 0; unit < kUnits; ++unit) GL(MultiTexCoord4f, GL_TEXTURE0 + GLuint(unit), 0.0f, 0.0f, 0.0f, 1.0f);
+  for (GLuint attribute : {1u, 8u, 9u}) GL(VertexAttrib4f, attribute, 0.0f, 0.0f, 0.0f, 1.0f);
+}
+
 void buffer(Random& random, Session& session) {
   const GLenum target = pick(random, GL_ARRAY_BUFFER, GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER);
   static GLuint name;
@@ -217,8 +230,10 @@ void execute_arrays(const Op& op, Session& session) {
   switch (op.step) {
     case Step::kPointer: return pointer(op, random, session);
     case Step::kClientState: return client_state(random);
-    case Step::kDrawArrays: return draw_arrays(random);
-    case Step::kDrawElements: return draw_elements(random);
+    case Step::kDrawArrays: case Step::kDrawElements:
+      op.step == Step::kDrawArrays ? draw_arrays(random) : draw_elements(random);
+      if (op.index != 0) set_current_values();
+      return;
     case Step::kArrayElement: return GL(ArrayElement, random.below(34));
     case Step::kInterleaved:
       return GL(InterleavedArrays, pick(random, GL_T2F_V3F, GL_T2F_V3F, GL_V2F, GL_V3F), random.of({0, 0, 20, -1}),

@@ -48,10 +48,11 @@ void execute_list(const Op& op, Session& session) {
   Random random(op.seed);
   switch (op.step) {
     case Step::kNewList: {
+      session.listing = true;
       const GLuint name = op.shape || random.chance(85) ? GLuint(1 + op.index) : list_name(random, session);
       return GL(NewList, name, pick(random, op.warp & 1 ? GL_COMPILE_AND_EXECUTE : GL_COMPILE));
     }
-    case Step::kEndList: return GL(EndList);
+    case Step::kEndList: session.listing = false; return GL(EndList);
     case Step::kCallList: return GL(CallList, op.index > 0 ? GLuint(op.index) : list_name(random, session));
     case Step::kCallLists: return call_lists(random, session);
     case Step::kDeleteLists: {

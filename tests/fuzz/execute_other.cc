@@ -119,6 +119,8 @@ void execute_other(const Op& op, Session& session) {
     case Step::kQuery: return query(random);
     case Step::kProgram: return program(random);
     default:
+      // Another context would see the first part of a list that is split before it is ended.
+      if (session.listing) return;
       session.context ^= 1;
       make_current(session.context);
   }

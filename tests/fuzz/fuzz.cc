@@ -1,5 +1,6 @@
-// fuzz [--first N] [--trials N] [--seconds S] [--findings N]: random sequences of OpenGL calls without and with truequad,
-// until the time or the trials are over, or so many findings were made (1). Each is shrunk and printed. Exit 1 if any was.
+// fuzz [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S]: random sequences of OpenGL calls without and with
+// truequad, until the time or the trials are over, or so many findings were made (1). Each is shrunk for S seconds (30) and
+// printed; 0: only named. Exit 1 if any was.
 // fuzz --first N --write FILE: writes that sequence, for fuzz_program --file FILE --print.
 #include <unistd.h>
 
@@ -21,13 +22,13 @@ struct Settings {
   std::uint64_t first = 1, trials = ~std::uint64_t(0);
   double seconds = 1e9;
   int findings = 1;
+  double shrink_seconds = 30;
   std::string write;
 };
 
 struct Tally {
-  std::uint64_t trials = 0, native_crashes = 0;
+  std::uint64_t trials = 0, native_crashes = 0, unsteady = 0;
   int findings = 0;
-  std::map<std::string, int> unsteady;
 };
 
 class Fuzz {
@@ -41,49 +42,40 @@ class Fuzz {
     const std::uint64_t end = settings_.trials > ~trial ? ~std::uint64_t(0) : trial + settings_.trials;
     while (trial < end && elapsed() < settings_.seconds && tally_.findings < settings_.findings) {
       const std::uint64_t next = std::min(end, (trial / kBlock + 1) * kBlock);
-      trial = block(trial, next);
+      block(trial, next);
+      trial = next;
     }
-    std::printf("%llu sequences from %llu on in %.0f s: %d findings; the driver alone crashed in %llu\n",
+    std::printf("%llu sequences from %llu on in %.0f s: %d findings; the driver alone crashed in %llu, and was not steady in %llu\n",
                 static_cast<unsigned long long>(tally_.trials), static_cast<unsigned long long>(settings_.first), elapsed(),
-                tally_.findings, static_cast<unsigned long long>(tally_.native_crashes));
+                tally_.findings, static_cast<unsigned long long>(tally_.native_crashes),
+                static_cast<unsigned long long>(tally_.unsteady));
     return tally_.findings == 0 ? 0 : 1;
   }
 
  private:
-  // Trials [first, end) of one kind. Returns the next one to be run.
-  std::uint64_t block(std::uint64_t first, std::uint64_t end) {
+  // Trials [first, end) of one kind.
+  void block(std::uint64_t first, std::uint64_t end) {
     const Kind kind = kind_of(first);
-    const Seen native = run_trials(programs_, false, first, end - first, kind);
-    const Seen ours = run_trials(programs_, true, first, end - first, kind);
-    const auto natively = divide(native.text), with_ours = divide(ours.text);
-    for (std::uint64_t trial = first; trial < end; ++trial) {
+    Trials native = run_trials(programs_, false, first, end - first, kind);
+    Trials ours = run_trials(programs_, true, first, end - first, kind);
+    for (std::uint64_t trial = first; trial < end && tally_.findings < settings_.findings; ++trial) {
       ++tally_.trials;
-      const auto a = natively.find(trial), b = with_ours.find(trial);
-      // Whoever did not get to the next trial crashed in this one.
-      const bool native_ended = native.status != 0 && (a == natively.end() || std::next(a) == natively.end());
-      const bool ours_ended = ours.status != 0 && (b == with_ours.end() || std::next(b) == with_ours.end());
-      if (native_ended) ++tally_.native_crashes;
-      const bool suspect = !native_ended && (ours_ended || a == natively.end() || b == with_ours.end() ||
-                                             !difference(a->second, b->second, kind, false).empty());
-      if (suspect && look_at(trial, kind)) return trial + 1;
-      // What follows a crash, or pixels that may differ, runs in new processes.
-      if (native_ended || ours_ended) return trial + 1;
+      if (native[trial].status != 0) ++tally_.native_crashes;
+      else if (!difference(native[trial], ours[trial], kind).empty()) look_at(trial, kind);
     }
-    return end;
   }
 
-  // True if it was a finding.
-  bool look_at(std::uint64_t trial, Kind kind) {
+  void look_at(std::uint64_t trial, Kind kind) {
     const Sequence sequence = generate(trial, kind);
     const std::string found = finding(programs_, sequence, kind);
-    if (found.empty()) return false;
+    if (found.empty()) return void(++tally_.unsteady);
     ++tally_.findings;
     std::printf("\ntrial %llu (kind %d): %s\n", static_cast<unsigned long long>(trial), int(kind), found.c_str());
     std::fflush(stdout);
-    const Sequence small = shrink(programs_, sequence, kind, found, 60);
+    if (settings_.shrink_seconds <= 0) return;
+    const Sequence small = shrink(programs_, sequence, kind, found, settings_.shrink_seconds);
     std::fputs(describe(programs_, small, kind).c_str(), stdout);
     std::fflush(stdout);
-    return true;
   }
 
   const Programs programs_;
@@ -101,8 +93,9 @@ int main(int count, char** arguments) {
     else if (name == "--trials") settings.trials = std::strtoull(value, nullptr, 10);
     else if (name == "--seconds") settings.seconds = std::strtod(value, nullptr);
     else if (name == "--findings") settings.findings = std::atoi(value);
+    else if (name == "--shrink") settings.shrink_seconds = std::strtod(value, nullptr);
     else if (name == "--write") settings.write = value;
-    else return std::fprintf(stderr, "usage: %s [--first N] [--trials N] [--seconds S] [--findings N] [--write FILE]\n", arguments[0]), 2;
+    else return std::fprintf(stderr, "usage: %s [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--write FILE]\n", arguments[0]), 2;
   }
   std::string scratch = (std::filesystem::temp_directory_path() / "truequad_fuzz_XXXXXX").string();
   if (!settings.write.empty()) {

@@ -1,7 +1,11 @@
-// fuzz_program --trials FIRST COUNT [--print]: runs the sequences of trials on OSMesa, one after the other in one process.
+// fuzz_program --trials FIRST COUNT [--print]: runs the sequences of trials on OSMesa, each in a process of its own.
 // fuzz_program --file FILE [--print]: runs those that a file has. --print: says their calls and every answer.
 // A program like any other, which knows nothing of truequad. What it sees is written to standard output.
 #include "execute.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdarg>
 #include <cstdio>
@@ -80,12 +84,7 @@ void begin_trial(int context) {
   gl.ClearColor(0.1f, 0.2f, 0.3f, 0.4f);
   gl.ClearDepth(1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  gl.PushAttrib(GL_ALL_ATTRIB_BITS);
-  gl.PushClientAttrib(GL_ALL_ATTRIB_BITS);
   point_arrays();
-  gl.MatrixMode(GL_PROJECTION);
-  gl.PushMatrix();
-  gl.MatrixMode(GL_MODELVIEW);
 }
 
 // Leaves whatever the sequence was in.
@@ -101,40 +100,6 @@ void close_trial() {
   record("RenderMode: %d", GL(RenderMode, GL_RENDER));
   for (GLenum target : {GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED}) GL(EndQuery, target);
   record_errors();
-}
-
-GLint ask(GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv(name, &value);
-  return value;
-}
-
-// The state as begin_trial() found it.
-void restore() {
-  if (gl.UnlockArraysEXT) gl.UnlockArraysEXT();
-  if (gl.UseProgram) gl.UseProgram(0);
-  if (gl.BindVertexArray) gl.BindVertexArray(0);
-  while (ask(GL_CLIENT_ATTRIB_STACK_DEPTH) > 0) gl.PopClientAttrib();
-  while (ask(GL_ATTRIB_STACK_DEPTH) > 0) gl.PopAttrib();
-  const struct { GLenum mode, depth; } kStacks[] = {{GL_TEXTURE, GL_TEXTURE_STACK_DEPTH}, {GL_PROJECTION, GL_PROJECTION_STACK_DEPTH},
-                                                    {GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH}};
-  for (int unit = kUnits - 1; unit >= 0; --unit) {
-    gl.ActiveTexture(GL_TEXTURE0 + GLuint(unit));
-    for (const auto& stack : kStacks) {
-      gl.MatrixMode(stack.mode);
-      while (ask(stack.depth) > 1) gl.PopMatrix();
-    }
-  }
-  prepare_context();
-  for (GLuint attribute = 0; attribute < 16; ++attribute) {
-    gl.DisableVertexAttribArray(attribute);
-    if (attribute > 0) gl.VertexAttrib4f(attribute, 0, 0, 0, 1);
-  }
-  for (GLuint name = 1; name < 5; ++name) gl.DeleteBuffers(1, &name);
-  gl.DeleteLists(1, 2000);
-  for (GLuint name : {0x7fffffffu, 0xffffffffu}) gl.DeleteLists(name, 1);
-  for (int i = 0; i < 10 && gl.GetError() != GL_NO_ERROR; ++i) {
-  }
 }
 
 void record_pixels(int context) {
@@ -167,10 +132,25 @@ void run(const Sequence& sequence) {
     record_state();
     record_pixels(i);
   }
-  for (int i : {1, 0}) {
-    make_current(i);
-    restore();
+}
+
+// A process of its own for each: what a sequence leaves, or breaks, is no other's. In a loop without end it has two
+// seconds of a processor.
+void run_apart(std::uint64_t trial, const Sequence& sequence) {
+  std::printf("trial %llu\n", static_cast<unsigned long long>(trial));
+  std::fflush(stdout);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit seconds = {2, 2}, no_core = {0, 0};
+    ::setrlimit(RLIMIT_CPU, &seconds);
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    run(sequence);
+    std::fflush(stdout);
+    ::_exit(0);
   }
+  int state = 0;
+  if (child < 0 || ::waitpid(child, &state, 0) != child) std::exit(71);
+  std::printf("process %d %d\n", int(child), WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state));
 }
 
 int main(int count, char** arguments) {
@@ -184,25 +164,18 @@ int main(int count, char** arguments) {
   load_gl();
   fill_arena();
   create_contexts();
-  const auto run_trial = [](std::uint64_t trial, const Sequence& sequence) {
-    std::printf("trial %llu\n", static_cast<unsigned long long>(trial));
-    std::fflush(stdout);
-    run(sequence);
-  };
+  find_names();
   if (count == 3 && !std::strcmp(arguments[1], "--file")) {
     std::vector<Sequence> sequences;
     if (!read(arguments[2], sequences)) return 2;
-    for (std::size_t i = 0; i < sequences.size(); ++i) run_trial(i, sequences[i]);
+    for (std::size_t i = 0; i < sequences.size(); ++i) run_apart(i, sequences[i]);
   } else if (count == 4 && !std::strcmp(arguments[1], "--trials")) {
     const std::uint64_t first = std::strtoull(arguments[2], nullptr, 10), trials = std::strtoull(arguments[3], nullptr, 10);
-    for (std::uint64_t trial = first; trial < first + trials; ++trial) {
-      run_trial(trial, generate(trial, kind_of(trial)));
-    }
+    for (std::uint64_t trial = first; trial < first + trials; ++trial) run_apart(trial, generate(trial, kind_of(trial)));
   } else {
     std::fprintf(stderr, "usage: %s --trials FIRST COUNT [--print] | --file FILE [--print]\n", arguments[0]);
     return 2;
   }
-  std::puts("done");
   return 0;
 }
 

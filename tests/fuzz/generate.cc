@@ -23,8 +23,8 @@ class Generator {
     arrays_ = random_.chance(40);
     various_ = random_.chance(50);
     // In Mesa, calls of a family that grow and shrink again in one primitive leave the longer one's components to the
-    // shorter: only where no quad can be cut are all sizes mixed.
-    sizes_ = kind_ == Kind::kAffine && random_.chance(30) ? kAnySize : unsigned(random_.below(3)) * kSize;
+    // shorter, and a quad that is cut is a primitive of its own: a sequence keeps to one size.
+    sizes_ = unsigned(random_.below(3)) * kSize;
     const int steps = 3 + random_.below(28);
     for (int i = 0; i < steps && sequence_.size() < 400; ++i) any();
     return std::move(sequence_);
@@ -32,9 +32,7 @@ class Generator {
 
  private:
   void add(Step step, int index = 0, unsigned shape = 0, unsigned warp = 0) {
-    // In lists they even crash it.
-    const unsigned sizes = depth_ > 0 && sizes_ == kAnySize ? 0u : sizes_;
-    sequence_.push_back({step, std::uint8_t(warp | sizes), index, shape, random_.next()});
+    sequence_.push_back({step, std::uint8_t(warp | sizes_), index, shape, random_.next()});
   }
 
   unsigned warp() {
@@ -114,7 +112,7 @@ class Generator {
   void primitive() {
     GLenum mode = random_.of<GLenum>({GL_QUADS, GL_QUADS, GL_QUADS, GL_QUADS, GL_QUAD_STRIP, GL_QUAD_STRIP, GL_POLYGON, GL_POLYGON,
                               GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_LINES, GL_POINTS});
-    if (random_.chance(wild_)) mode = GLenum(random_.below(16));
+    if (depth_ == 0 && random_.chance(wild_)) mode = GLenum(random_.below(16));
     if (kind_ == Kind::kCovered && mode <= GL_LINE_STRIP) mode = GL_QUADS;
     skip_texture_ = kind_ == Kind::kCovered ? 0 : random_.of({0, 0, 0, 100, kind_ == Kind::kBent ? 30 : 0});
     // It even crashes at glEndList if a list was called before.
@@ -124,7 +122,13 @@ class Generator {
     int count = 4 * (1 + random_.below(3));
     if (mode == GL_QUAD_STRIP) count = 2 + 2 * random_.below(5);
     if (mode == GL_POLYGON) count = random_.chance(75) ? 4 : 1 + random_.below(7);
-    if (random_.chance(8)) count = random_.below(count + 2);
+    // What is set in a primitive of a list whose last vertices draw nothing Mesa loses, or gives memory that was never written.
+    if (depth_ > 0) {
+      if (mode == GL_QUAD_STRIP || mode == GL_POLYGON) count = count < 4 ? 4 : count;
+      else if (mode != GL_QUADS) count = 12;
+    } else if (random_.chance(8)) {
+      count = random_.below(count + 2);
+    }
     unsigned shape = 0, kind = 0;
     for (int i = 0; i < count; ++i) {
       if (i == 0 || (i % 4 == 0 && mode != GL_QUAD_STRIP && mode != GL_POLYGON)) shape = unsigned(random_.next());
@@ -135,7 +139,7 @@ class Generator {
       vertex(mode, shape, i, kind);
     }
     if (various_ && depth_ == 0 && kind_ != Kind::kCovered && random_.chance(20)) add(Step::kAttribute);
-    if (random_.below(300) >= wild_) add(Step::kEnd);
+    if (depth_ > 0 || random_.below(300) >= wild_) add(Step::kEnd);
   }
 
   void arrays() {
@@ -143,7 +147,7 @@ class Generator {
     if (random_.chance(30)) add(Step::kBuffer);
     for (int i = 0; i < pointers; ++i) add(Step::kPointer, i == 0 ? 0 : -1, 0, 1);
     const int draws = 1 + random_.below(3);
-    for (int i = 0; i < draws; ++i) add(random_.chance(50) ? Step::kDrawArrays : Step::kDrawElements);
+    for (int i = 0; i < draws; ++i) add(random_.chance(50) ? Step::kDrawArrays : Step::kDrawElements, depth_ > 0);
   }
 
   Random random_;

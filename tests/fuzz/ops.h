@@ -30,8 +30,8 @@ enum Warp : std::uint8_t { kFlat = 0, kWarpPosition = 1, kWarpTexture = 2, kWarp
 // Other bits of Op::warp.
 inline constexpr std::uint8_t kStrip = 8, kVarious = 16;  // the shape is a strip; any entry point may be used
 inline constexpr std::uint8_t kOneSlot = 32;  // but always for the same piece of state: texture unit 0, the colour
-// How many numbers calls of a sequence give: two, three, four, or any.
-inline constexpr std::uint8_t kSize = 64, kAnySize = 3 * kSize;
+// How many numbers calls of a sequence give: two, three or four.
+inline constexpr std::uint8_t kSize = 64;
 
 struct Op {
   Step step;
