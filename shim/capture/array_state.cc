@@ -79,6 +79,8 @@ void read_array(const Driver& driver, const Caps& caps, Slot slot, ArrayState& o
   // "A value of zero specifies that array elements are stored sequentially" (section 2.8).
   const GLint stride = get(driver, names.stride);
   array.stride = stride != 0 ? GLuint(stride) : array.bytes;
+  // An error, and yet Mesa keeps it and reads backwards: no array that we read.
+  if (stride < 0) array.bytes = 0;
   array.buffer = caps.buffers ? GLuint(get(driver, names.buffer)) : 0;
   void* pointer = nullptr;
   driver.GetPointerv(names.pointer, &pointer);

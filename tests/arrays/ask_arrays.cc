@@ -324,6 +324,19 @@ void rectangles() {
   glCallList(11), look("rectangle in a list");
 }
 
+// Mesa says that it is an error, keeps it, and reads elsewhere: there must be something to read.
+void negative_stride() {
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  static GLfloat around[1 << 18];
+  glVertexPointer(3, GL_FLOAT, -1, around + (1 << 17)), look("negative stride");
+  glDrawArrays(GL_QUADS, 0, 4), look("drawn with a negative stride");
+  glNewList(12, GL_COMPILE);
+  glDrawArrays(GL_QUADS, 0, 4);
+  glEndList();
+  look("compiled with a negative stride");
+}
+
 }  // namespace
 
 int main() {
@@ -342,5 +355,6 @@ int main() {
   memory();
   buffers();
   rectangles();
+  negative_stride();
   say("end");
 }
