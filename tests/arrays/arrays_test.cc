@@ -67,6 +67,7 @@ constexpr Way kWays[] = {
     {"indirect", "buffer", 2},
     {"indirect_elements", "buffer"},
     {"restart", "arrays"},
+    {"restart_fixed", "arrays"},
     {"locked", "arrays"},
     {"index_buffer", "arrays"},
     {"array_element", "immediate"},

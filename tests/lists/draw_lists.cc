@@ -1,37 +1,9 @@
-// draw_lists FAMILY FIRST COUNT WIDTH HEIGHT WAY FILE: draws the scenes of COUNT seeds through display lists, in one of
-// many ways, and writes the raw pictures. A program like any other, which knows nothing of truequad.
-#define GL_GLEXT_PROTOTYPES
-#include <GL/osmesa.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <map>
-#include <string>
+// draw_lists FAMILY,FAMILY… COUNT WIDTH HEIGHT WAY FILE: draws scenes through display lists, in one of many ways (ways.h).
 #include <vector>
 
-#include "scenes.h"
+#include "list_ways.h"
 
 namespace truequad::images {
-namespace {
-
-constexpr int kTexels = 256;
-constexpr GLenum kModes[] = {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON};
-
-void make_texture() {
-  std::vector<unsigned char> texels;
-  for (int j = 0; j < kTexels; ++j) {
-    for (int i = 0; i < kTexels; ++i) {
-      texels.insert(texels.end(), {(unsigned char)(i), (unsigned char)(j), (unsigned char)(i ^ j), 255});
-    }
-  }
-  GLuint name;
-  glGenTextures(1, &name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kTexels, kTexels, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-}
 
 void vertex(const Vertex& v) {
   glColor3f(1, 1, 1 - v.mark / 255.0f);
@@ -40,7 +12,7 @@ void vertex(const Vertex& v) {
 }
 
 void primitive(const Primitive& p) {
-  glBegin(kModes[int(p.mode)]);
+  glBegin(mode_of(p));
   for (const Vertex& v : p.vertices) vertex(v);
   glEnd();
 }
@@ -66,16 +38,6 @@ void something_else() {
   glPopMatrix();
 }
 
-void look(const Scene& scene) {
-  glViewport(scene.viewport[0], scene.viewport[1], scene.viewport[2], scene.viewport[3]);
-  glMatrixMode(GL_PROJECTION);
-  glLoadMatrixf(scene.projection.data());
-  glMatrixMode(GL_MODELVIEW);
-  glLoadMatrixf(scene.modelview.data());
-  glShadeModel(scene.primitives.front().mode == Mode::kQuadStrip ? GL_FLAT : GL_SMOOTH);
-  glEnable(GL_TEXTURE_2D);
-}
-
 void look_elsewhere() {
   glViewport(0, 0, 16, 16);
   glMatrixMode(GL_PROJECTION);
@@ -85,21 +47,7 @@ void look_elsewhere() {
   glDisable(GL_TEXTURE_2D);
 }
 
-OSMesaContext first_context, second_context;
-std::vector<unsigned char> canvas;
-int canvas_width, canvas_height;
-
-void make_current(OSMesaContext context) {
-  OSMesaMakeCurrent(context, canvas.data(), GL_UNSIGNED_BYTE, canvas_width, canvas_height);
-}
-
-template <typename T>
-void call_as(GLenum type, GLuint base, GLuint name) {
-  glListBase(base);
-  const T offset = T(name - base);
-  glCallLists(1, type, &offset);
-  glListBase(0);
-}
+namespace {
 
 // Lists of vertices, called in the primitive of a list that is executed while it is compiled, and called again: both
 // pictures are seen, the second one a little lower.
@@ -113,7 +61,7 @@ void inside_executed_begin(const Scene& scene, bool many) {
       glEndList();
     }
     glNewList(10, GL_COMPILE_AND_EXECUTE);
-    glBegin(kModes[int(p.mode)]);
+    glBegin(mode_of(p));
     if (many) glCallLists(GLsizei(names.size()), GL_UNSIGNED_INT, names.data());
     else for (GLuint name : names) glCallList(name);
     glEnd();
@@ -158,10 +106,8 @@ void three_quads() {
   glCallList(9);
 }
 
-using Way = void (*)(const Scene&);
-
-const std::map<std::string, Way>& ways() {
-  static const std::map<std::string, Way> all = {
+std::map<std::string, Way> ways() {
+  std::map<std::string, Way> all = {
       {"immediate", [](const Scene& s) { primitives(s); }},
       {"list",
        [](const Scene& s) {
@@ -235,32 +181,6 @@ const std::map<std::string, Way>& ways() {
          glCallLists(GLsizei(names.size()), GL_UNSIGNED_SHORT, names.data());
          glListBase(0);
        }},
-      {"bytes", [](const Scene& s) {
-         glNewList(1100, GL_COMPILE);
-         primitives(s);
-         glEndList();
-         call_as<GLbyte>(GL_BYTE, 1150, 1100);
-       }},
-      {"floats", [](const Scene& s) {
-         glNewList(1100, GL_COMPILE);
-         primitives(s);
-         glEndList();
-         call_as<GLfloat>(GL_FLOAT, 1000, 1100);
-       }},
-      {"two_bytes", [](const Scene& s) {
-         glNewList(1100, GL_COMPILE);
-         primitives(s);
-         glEndList();
-         const GLubyte name[] = {1100 >> 8, 1100 & 255};
-         glCallLists(1, GL_2_BYTES, name);
-       }},
-      {"four_bytes", [](const Scene& s) {
-         glNewList(1100, GL_COMPILE);
-         primitives(s);
-         glEndList();
-         const GLubyte name[] = {0, 0, 1100 >> 8, 1100 & 255};
-         glCallLists(1, GL_4_BYTES, name);
-       }},
       {"call_lists_in_list", [](const Scene& s) {
          glNewList(1100, GL_COMPILE);
          primitives(s);
@@ -309,7 +229,7 @@ const std::map<std::string, Way>& ways() {
              vertex(p.vertices[i]);
              glEndList();
            }
-           glBegin(kModes[int(p.mode)]);
+           glBegin(mode_of(p));
            for (std::size_t i = 0; i < p.vertices.size(); ++i) glCallList(20 + GLuint(i));
            glEnd();
          }
@@ -325,7 +245,7 @@ const std::map<std::string, Way>& ways() {
              names.push_back(GLubyte(i));
            }
            glListBase(2000);
-           glBegin(kModes[int(p.mode)]);
+           glBegin(mode_of(p));
            glCallLists(GLsizei(names.size()), GL_UNSIGNED_BYTE, names.data());
            glEnd();
            glListBase(0);
@@ -379,51 +299,12 @@ const std::map<std::string, Way>& ways() {
          glCallList(9);
        }},
   };
+  add_types(all);
+  add_changes(all);
   return all;
-}
-
-int run(int count, char** arguments) {
-  const auto way = count == 8 ? ways().find(arguments[6]) : ways().end();
-  if (way == ways().end()) {
-    std::fprintf(stderr, "usage: %s FAMILY FIRST COUNT WIDTH HEIGHT WAY FILE\n", arguments[0]);
-    return 2;
-  }
-  const Family& scenes = family(arguments[1]);
-  const unsigned first = unsigned(std::atoi(arguments[2])), seeds = unsigned(std::atoi(arguments[3]));
-  canvas_width = std::atoi(arguments[4]);
-  canvas_height = std::atoi(arguments[5]);
-  canvas.resize(std::size_t(canvas_width) * std::size_t(canvas_height) * 4);
-  std::FILE* file = std::fopen(arguments[7], "wb");
-  first_context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
-  second_context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, first_context);
-  if (!file || !first_context || !second_context) return 70;
-  make_current(first_context);
-  make_texture();
-  GLint texture = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
-  make_current(second_context);
-  glBindTexture(GL_TEXTURE_2D, GLuint(texture));
-  make_current(first_context);
-  bool written = true;
-  for (unsigned seed = first; seed < first + seeds; ++seed) {
-    const Scene scene = scenes.make(seed, canvas_width, canvas_height);
-    glClear(GL_COLOR_BUFFER_BIT);
-    look(scene);
-    way->second(scene);
-    glFinish();
-    written = written && std::fwrite(canvas.data(), canvas.size(), 1, file) == 1;
-  }
-  for (OSMesaContext context : {second_context, first_context}) {
-    make_current(context);
-    if (const GLenum error = glGetError()) {
-      std::fprintf(stderr, "%s: GL error 0x%x\n", arguments[0], error);
-      return 1;
-    }
-  }
-  return std::fclose(file) == 0 && written ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace truequad::images
 
-int main(int count, char** arguments) { return truequad::images::run(count, arguments); }
+int main(int count, char** arguments) { return truequad::images::draw_in_a_way(truequad::images::ways(), count, arguments); }

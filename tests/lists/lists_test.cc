@@ -2,6 +2,7 @@
 // needs no correction is as without truequad, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "run.h"
@@ -20,18 +21,19 @@ struct Drawn {
 
 constexpr unsigned kWidth = 160, kHeight = 120, kScenes = 8;
 
-Drawn draw(const std::string& family, const std::string& way, bool with_truequad, const std::string& tolerance_px = "0.25") {
+Drawn draw(const std::string& families, const std::string& way, bool with_truequad, const std::string& tolerance_px = "0.25") {
   const Scratch scratch;
   const std::string file = scratch / "raw", statistics = scratch / "json";
   std::map<std::string, std::string> environment;
   if (with_truequad) environment = {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", statistics},
                                       {"TRUEQUAD_TOLERANCE", tolerance_px}};
-  const auto ended = run({DRAW_LISTS, family, "0", std::to_string(kScenes), std::to_string(kWidth), std::to_string(kHeight), way, file},
+  const auto ended = run({DRAW_LISTS, families, std::to_string(kScenes), std::to_string(kWidth), std::to_string(kHeight), way, file},
                          environment);
-  EXPECT_EQ(ended.status, 0) << family << " " << way << ": " << ended.err;
+  EXPECT_EQ(ended.status, 0) << families << " " << way << ": " << ended.err;
   EXPECT_EQ(ended.err, "");
   Drawn drawn{read_file(file)};
-  EXPECT_EQ(drawn.pictures.size(), std::size_t(kScenes) * kWidth * kHeight * 4);
+  const std::size_t count = 1 + std::size_t(std::count(families.begin(), families.end(), ','));
+  EXPECT_EQ(drawn.pictures.size(), count * kScenes * kWidth * kHeight * 4);
   if (with_truequad) {
     const auto json = nlohmann::json::parse(read_file(statistics), nullptr, false);
     EXPECT_TRUE(json.is_object());
@@ -58,8 +60,7 @@ struct Way {
   bool by_list = true;
 };
 constexpr Way kWays[] = {{"list"},       {"without_gen"}, {"execute"},   {"execute_then_call", 2}, {"called_twice", 2},
-                         {"nested"},     {"each_its_own"}, {"bytes"},    {"floats"},               {"two_bytes"},
-                         {"four_bytes"}, {"call_lists_in_list"}, {"redefined"}, {"redefined_as_triangles", 1, false},
+                         {"nested"},     {"each_its_own"}, {"call_lists_in_list"}, {"redefined"}, {"redefined_as_triangles", 1, false},
                          {"inside_begin"}, {"inside_begin_by_base"}, {"among_others"}, {"shared"}, {"matrices_in_list"}};
 
 class Ways : public testing::TestWithParam<Way> {};
@@ -103,6 +104,54 @@ TEST_P(Ways, LeaveQuadsWithinTheToleranceAsTheDriverDrawsThem) {
 
 INSTANTIATE_TEST_SUITE_P(Lists, Ways, testing::ValuesIn(kWays),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Lists, NamesOfEveryTypeAreUnderstood) {
+  const Drawn immediate = draw("trapezoid", "immediate", true);
+  for (const char* type : {"byte", "unsigned_byte", "short", "unsigned_short", "int", "unsigned_int", "float", "2_bytes",
+                           "3_bytes", "4_bytes"}) {
+    SCOPED_TRACE(type);
+    const Drawn ours = draw("trapezoid", std::string("type_") + type, true);
+    EXPECT_TRUE(ours.pictures == immediate.pictures);
+    EXPECT_EQ(ours.corrected, 2 * immediate.corrected);
+    EXPECT_EQ(ours.listed, 2 * immediate.immediate);
+  }
+}
+
+struct Change {
+  const char* state;
+  bool corrects = true;
+};
+class Changes : public testing::TestWithParam<Change> {};
+
+// OpenGL 2.1, 5.4: commands in a list are as if they were given when it is called.
+TEST_P(Changes, BetweenCompilationAndCallCount) {
+  const auto [state, corrects] = GetParam();
+  constexpr const char* kFamilies = "trapezoid,strip,non_planar";
+  const auto is_drawn_as = [](const std::string& way, const Drawn& immediate) {
+    const Drawn ours = draw(kFamilies, way, true), native = draw(kFamilies, way, false);
+    EXPECT_EQ(ours.corrected, immediate.corrected) << way;
+    EXPECT_EQ(ours.listed, immediate.immediate) << way;
+    if (ours.corrected == 0) {
+      EXPECT_TRUE(ours.pictures == native.pictures) << way;
+    } else if (ours.pictures != immediate.pictures) {
+      // Where a quad is left alone it is the driver's, as it draws lists.
+      EXPECT_TRUE(each_pixel_from(ours.pictures, immediate.pictures, native.pictures)) << way;
+    }
+  };
+  static const Drawn without = draw(kFamilies, "immediate", true);
+  const Drawn within = draw(kFamilies, std::string("immediate_") + state, true);
+  EXPECT_EQ(within.corrected > 0, corrects);
+  is_drawn_as(std::string("before_") + state, within);
+  is_drawn_as(std::string("within_") + state, without);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lists, Changes,
+    testing::Values(Change{"no_texture", false}, Change{"object_linear", false}, Change{"sphere_map", false}, Change{"vertex_shader", false},
+                    Change{"fragment_shader", false}, Change{"vertex_program", false}, Change{"texture_matrix"}, Change{"modelview"},
+                    Change{"projection"}, Change{"viewport"}, Change{"lines", false}, Change{"flat"}, Change{"lighting"},
+                    Change{"equal_depth"}),
+    [](const auto& info) { return std::string(info.param.state); });
 
 // The driver compiles such a primitive, so it is drawn as without truequad; no vertex is lost.
 TEST(Lists, InAPrimitiveThatIsExecutedDrawWhatTheDriverDraws) {
@@ -148,6 +197,18 @@ TEST(Lists, AnswersAreTheDriversOwn) {
   const auto json = nlohmann::json::parse(ours.err, nullptr, false);
   ASSERT_TRUE(json.is_object()) << ours.err;
   EXPECT_GT(json.value("corrected", 0), 0);
+}
+
+TEST(Lists, OfAFontOfTheWindowSystemAreTheDriversOwn) {
+  const auto native = run({WITH_DISPLAY, FONT_LISTS});
+  const auto ours = run({WITH_DISPLAY, "env", "LD_PRELOAD=" TRUEQUAD_PRELOAD, "TRUEQUAD_STATS=-", FONT_LISTS});
+  EXPECT_EQ(native.status, 0) << native.err;
+  EXPECT_EQ(ours.status, 0) << ours.err;
+  EXPECT_NE(native.out, "");
+  EXPECT_EQ(ours.out, native.out);
+  const auto json = nlohmann::json::parse(ours.err, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ours.err;
+  EXPECT_EQ(json.value("corrected", 0), 4);
 }
 
 }  // namespace
