@@ -2,6 +2,7 @@
 #include "verify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mesh.h"
@@ -15,6 +16,8 @@ constexpr int kDepth = 6;
 // The same to find how far beyond the limit a triangle is, and what is asked of it at least.
 constexpr int kFarDepth = 3;
 constexpr double kMore = 1.02;
+// A side of a cell is as good as none if it is so much shorter than the opposite one.
+constexpr double kShort = 1e-3;
 
 template <typename F>
 void for_each_triangle_of_side(const ErrorModel& model, const Plan& plan, const Block& block, int side, F&& f) {
@@ -41,6 +44,12 @@ void for_each_cell(const ErrorModel& model, const Plan& plan, const Block& block
       left = right;
     }
   }
+}
+
+// Of side i of a cell on the screen. Behind the eye it has no meaning, and does no harm.
+double length(const std::array<MeshPoint, 4>& corner, int i) {
+  const MeshPoint &a = corner[std::size_t(i)], &b = corner[std::size_t(i + 1) % 4];
+  return std::hypot(b.x - a.x, b.y - a.y);
 }
 
 // Of a triangle that does not keep the limit.
@@ -95,9 +104,10 @@ BlockVerdict verify_block(const ErrorModel& model, const Plan& plan, double limi
     verdict.all_keep = false;
     // No lines help where the map folds.
     if ((model.folded || model.colours.folded) && px == kInfinity) return;
-    // Opposite triangles are alike.
+    // Opposite triangles are alike, but for one towards a side of the quad without length: it is no measure of others.
     for (int i = 0; i < 2; ++i) {
-      const Estimate estimate = triangle_estimate(model, corner[i], corner[i + 1], centre);
+      const int side = length(corner, i) < kShort * length(corner, i + 2) ? i + 2 : i;
+      const Estimate estimate = triangle_estimate(model, corner[side], corner[(side + 1) % 4], centre);
       if (verdict.keeps || estimate.px() > verdict.worst.px()) verdict.worst = estimate;
       verdict.keeps = false;
     }
