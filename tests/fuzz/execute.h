@@ -17,7 +17,7 @@ struct Corner {
 Corner corner(std::uint32_t shape, int index, unsigned warp);
 
 // What a step may look at: its own numbers, and what earlier steps of the trial left.
-struct Session {
+struct Player {
   GLuint generated[4] = {};  // first names of glGenLists
   int generated_count = 0, next_generated = 0;
   int depth_attrib = 0;
@@ -27,21 +27,21 @@ struct Session {
   std::int64_t mapped_size = 0;
 };
 
-void execute(const Op& op, Session& session);
+void execute(const Op& op, Player& player);
 
 // Parts of execute(), a file for each.
 void execute_vertex(const Op& op);       // attributes.cc
 void execute_attribute(const Op& op);
 void execute_material(const Op& op);
-void execute_list(const Op& op, Session& session);   // execute_lists.cc
-void execute_state(const Op& op, Session& session);  // execute_state.cc
-void execute_other(const Op& op, Session& session);  // execute_other.cc
-void execute_arrays(const Op& op, Session& session); // execute_arrays.cc
+void execute_list(const Op& op, Player& player);   // execute_lists.cc
+void execute_state(const Op& op, Player& player);  // execute_state.cc
+void execute_other(const Op& op, Player& player);  // execute_other.cc
+void execute_arrays(const Op& op, Player& player); // execute_arrays.cc
 void fill_arena();
 void point_arrays();
 
 // Names of lists that sequences use.
-GLuint list_name(Random& random, const Session& session);
+GLuint list_name(Random& random, const Player& player);
 
 // An enum of those that are right, or now and then another.
 template <typename... T>

@@ -37,11 +37,11 @@ const void* pointer_to(int place, bool to_buffer) {
 }
 
 // A call inside Begin/End must not be looked at by asking first: then the arena is meant.
-bool array_buffer(const Session&) { return bound(GL_ARRAY_BUFFER_BINDING); }
+bool array_buffer(const Player&) { return bound(GL_ARRAY_BUFFER_BINDING); }
 
-void pointer(const Op& op, Random& random, const Session& session) {
+void pointer(const Op& op, Random& random, const Player& player) {
   const int type = random.below(4), size = 2 + random.below(3), stride = random.of({0, 0, 0, kTypeSize[type] * size, kTypeSize[type] * size * 2});
-  const bool to_buffer = array_buffer(session);
+  const bool to_buffer = array_buffer(player);
   const int what = op.index == 0 ? 0 : random.below(12);
   const auto place = [&](int at) { return pointer_to(at, to_buffer); };
   const GLsizei step = random.chance(2) ? -1 : stride;
@@ -135,7 +135,7 @@ void set_current_values() {
   for (GLuint attribute : {1u, 8u, 9u}) GL(VertexAttrib4f, attribute, 0.0f, 0.0f, 0.0f, 1.0f);
 }
 
-void buffer(Random& random, Session& session) {
+void buffer(Random& random, Player& player) {
   const GLenum target = pick(random, GL_ARRAY_BUFFER, GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER);
   static GLuint name;
   switch (random.below(9)) {
@@ -145,7 +145,7 @@ void buffer(Random& random, Session& session) {
     case 5:
       // Arrays in a buffer that is deleted lie in client memory at a small address then, from where Mesa reads.
       name = 3;
-      session.mapped = nullptr;
+      player.mapped = nullptr;
       return GL(DeleteBuffers, 1, &name);
     case 6: return GL(CopyBufferSubData, GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, 0, 0, 256);
     case 7: return GL(InvalidateBufferData, GLuint(5));
@@ -153,12 +153,12 @@ void buffer(Random& random, Session& session) {
   }
 }
 
-void map_buffer(Random& random, Session& session) {
-  if (session.mapped) {
-    const std::int64_t at = random.below(int(session.mapped_size / 2));
-    std::memcpy(static_cast<char*>(session.mapped) + at, arena + 300, std::size_t(session.mapped_size - at < 64 ? session.mapped_size - at : 64));
+void map_buffer(Random& random, Player& player) {
+  if (player.mapped) {
+    const std::int64_t at = random.below(int(player.mapped_size / 2));
+    std::memcpy(static_cast<char*>(player.mapped) + at, arena + 300, std::size_t(player.mapped_size - at < 64 ? player.mapped_size - at : 64));
     if (random.chance(60)) {
-      session.mapped = nullptr;
+      player.mapped = nullptr;
       record("UnmapBuffer: %d", GL(UnmapBuffer, GL_ARRAY_BUFFER));
     }
     return;
@@ -175,7 +175,7 @@ void map_buffer(Random& random, Session& session) {
     mapped = GL(MapBufferRange, GL_ARRAY_BUFFER, GLintptr(random.below(3)) * 1024, GLsizeiptr(1024), GLbitfield(GL_MAP_WRITE_BIT));
   }
   record("MapBuffer: %d", mapped != nullptr);
-  if (mapped && length >= size) session.mapped = mapped, session.mapped_size = size;
+  if (mapped && length >= size) player.mapped = mapped, player.mapped_size = size;
 }
 
 }  // namespace
@@ -225,10 +225,10 @@ void fill_arena() {
   }
 }
 
-void execute_arrays(const Op& op, Session& session) {
+void execute_arrays(const Op& op, Player& player) {
   Random random(op.seed);
   switch (op.step) {
-    case Step::kPointer: return pointer(op, random, session);
+    case Step::kPointer: return pointer(op, random, player);
     case Step::kClientState: return client_state(random);
     case Step::kDrawArrays: case Step::kDrawElements:
       op.step == Step::kDrawArrays ? draw_arrays(random) : draw_elements(random);
@@ -237,9 +237,9 @@ void execute_arrays(const Op& op, Session& session) {
     case Step::kArrayElement: return GL(ArrayElement, random.below(34));
     case Step::kInterleaved:
       return GL(InterleavedArrays, pick(random, GL_T2F_V3F, GL_T2F_V3F, GL_V2F, GL_V3F), random.of({0, 0, 20, -1}),
-                pointer_to(kInterleaved, array_buffer(session)));
-    case Step::kBuffer: return buffer(random, session);
-    case Step::kMapBuffer: return map_buffer(random, session);
+                pointer_to(kInterleaved, array_buffer(player)));
+    case Step::kBuffer: return buffer(random, player);
+    case Step::kMapBuffer: return map_buffer(random, player);
     case Step::kVertexArray: return GL(BindVertexArray, GLuint(random.below(2)));
     case Step::kRestart:
       if (random.chance(50)) return GL(PrimitiveRestartIndex, GLuint(random.of({4, 8, 255})));

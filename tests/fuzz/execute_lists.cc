@@ -5,9 +5,9 @@
 
 namespace truequad::fuzz {
 
-GLuint list_name(Random& random, const Session& session) {
-  if (session.generated_count > 0 && random.chance(15)) {
-    return session.generated[random.below(session.generated_count)] + GLuint(random.below(2));
+GLuint list_name(Random& random, const Player& player) {
+  if (player.generated_count > 0 && random.chance(15)) {
+    return player.generated[random.below(player.generated_count)] + GLuint(random.below(2));
   }
   if (random.chance(2)) return random.of<GLuint>({0, 1000, 0x7fffffff, 0xffffffff});
   return GLuint(1 + random.below(6));
@@ -20,14 +20,14 @@ void put(unsigned char* to, T value) {
   std::memcpy(to, &value, sizeof value);
 }
 
-void call_lists(Random& random, const Session& session) {
+void call_lists(Random& random, const Player& player) {
   const GLenum type = pick(random, GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_2_BYTES,
                            GL_3_BYTES, GL_4_BYTES);
   const int count = random.chance(3) ? -1 : random.below(4);
   static unsigned char names[64];
   std::memset(names, 0, sizeof names);
   for (int i = 0; i < 4; ++i) {
-    const GLuint name = list_name(random, session);
+    const GLuint name = list_name(random, player);
     print_note("name %u", name);
     switch (type) {
       case GL_BYTE: case GL_UNSIGNED_BYTE: names[i] = (unsigned char)(name); break;
@@ -44,33 +44,33 @@ void call_lists(Random& random, const Session& session) {
 
 }  // namespace
 
-void execute_list(const Op& op, Session& session) {
+void execute_list(const Op& op, Player& player) {
   Random random(op.seed);
   switch (op.step) {
     case Step::kNewList: {
-      session.listing = true;
-      const GLuint name = op.shape || random.chance(85) ? GLuint(1 + op.index) : list_name(random, session);
+      player.listing = true;
+      const GLuint name = op.shape || random.chance(85) ? GLuint(1 + op.index) : list_name(random, player);
       return GL(NewList, name, pick(random, op.warp & 1 ? GL_COMPILE_AND_EXECUTE : GL_COMPILE));
     }
-    case Step::kEndList: session.listing = false; return GL(EndList);
-    case Step::kCallList: return GL(CallList, op.index > 0 ? GLuint(op.index) : list_name(random, session));
-    case Step::kCallLists: return call_lists(random, session);
+    case Step::kEndList: player.listing = false; return GL(EndList);
+    case Step::kCallList: return GL(CallList, op.index > 0 ? GLuint(op.index) : list_name(random, player));
+    case Step::kCallLists: return call_lists(random, player);
     case Step::kDeleteLists: {
       const int count = random.of({1, 1, 1, 2, 3, 0, -1});
-      return GL(DeleteLists, list_name(random, session), count);
+      return GL(DeleteLists, list_name(random, player), count);
     }
     case Step::kGenLists: {
       if (random.chance(40)) {
-        const GLuint name = list_name(random, session);
+        const GLuint name = list_name(random, player);
         record("IsList %u: %d", name, GL(IsList, name));
         return;
       }
       const GLuint first = GL(GenLists, random.of({1, 1, 2, 3, 0, -1}));
       record("GenLists: %u", first);
       if (first) {
-        session.generated[session.next_generated] = first;
-        session.next_generated = (session.next_generated + 1) % 4;
-        session.generated_count = session.generated_count < 4 ? session.generated_count + 1 : 4;
+        player.generated[player.next_generated] = first;
+        player.next_generated = (player.next_generated + 1) % 4;
+        player.generated_count = player.generated_count < 4 ? player.generated_count + 1 : 4;
       }
       return;
     }

@@ -103,7 +103,7 @@ void program(Random& random) {
 
 }  // namespace
 
-void execute_other(const Op& op, Session& session) {
+void execute_other(const Op& op, Player& player) {
   Random random(op.seed);
   switch (op.step) {
     case Step::kErrors: return record_errors();
@@ -120,9 +120,9 @@ void execute_other(const Op& op, Session& session) {
     case Step::kProgram: return program(random);
     default:
       // Another context would see the first part of a list that is split before it is ended.
-      if (session.listing) return;
-      session.context ^= 1;
-      make_current(session.context);
+      if (player.listing) return;
+      player.context ^= 1;
+      make_current(player.context);
   }
 }
 

@@ -104,7 +104,7 @@ GLbitfield attribute_bits(Random& random) {
 
 }  // namespace
 
-void execute_state(const Op& op, Session&) {
+void execute_state(const Op& op, Player&) {
   Random random(op.seed);
   switch (op.step) {
     case Step::kMatrix: return matrix(random);

@@ -121,12 +121,12 @@ void record_pixels(int context) {
 }
 
 void run(const Sequence& sequence) {
-  Session session;
+  Player player;
   std::memset(feedback_buffer, 0, sizeof feedback_buffer);
   std::memset(selection_buffer, 0, sizeof selection_buffer);
   for (int i : {1, 0}) begin_trial(i);
-  for (const Op& op : sequence) execute(op, session);
-  for (int i : {session.context, session.context ^ 1}) {
+  for (const Op& op : sequence) execute(op, player);
+  for (int i : {player.context, player.context ^ 1}) {
     make_current(i);
     close_trial();
     record_state();
@@ -202,7 +202,7 @@ void record_errors() {
   }
 }
 
-void execute(const Op& op, Session& session) {
+void execute(const Op& op, Player& player) {
   switch (op.step) {
     case Step::kBegin: return GL(Begin, GLenum(op.index));
     case Step::kEnd: return GL(End);
@@ -210,13 +210,13 @@ void execute(const Op& op, Session& session) {
     case Step::kAttribute: return execute_attribute(op);
     case Step::kMaterial: return execute_material(op);
     case Step::kNewList: case Step::kEndList: case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists:
-    case Step::kGenLists: case Step::kListBase: return execute_list(op, session);
+    case Step::kGenLists: case Step::kListBase: return execute_list(op, player);
     case Step::kMatrix: case Step::kEnable: case Step::kTexGen: case Step::kTexture: case Step::kLighting: case Step::kRaster:
-    case Step::kPushAttrib: case Step::kPopAttrib: return execute_state(op, session);
+    case Step::kPushAttrib: case Step::kPopAttrib: return execute_state(op, player);
     case Step::kPointer: case Step::kClientState: case Step::kDrawArrays: case Step::kDrawElements: case Step::kArrayElement:
     case Step::kInterleaved: case Step::kBuffer: case Step::kMapBuffer: case Step::kVertexArray: case Step::kRestart:
-    case Step::kLockArrays: return execute_arrays(op, session);
-    default: return execute_other(op, session);
+    case Step::kLockArrays: return execute_arrays(op, player);
+    default: return execute_other(op, player);
   }
 }
 

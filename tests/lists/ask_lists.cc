@@ -36,7 +36,7 @@ void say(const char* what) {
 
 void is(GLuint name) { std::printf("is %u: %d error %x\n", name, glIsList(name), glGetError()); }
 
-void session() {
+void ask_all() {
   say("start");
   const GLuint three = glGenLists(3);
   std::printf("gen %u\n", three);
@@ -230,5 +230,5 @@ int main() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
   glEnable(GL_TEXTURE_2D);
-  session();
+  ask_all();
 }
