@@ -23,6 +23,7 @@ namespace {
 void set_state(Capture& c, State state) {
   c.state = state;
   c.forwarding = state != State::kHeld;
+  c.usual = state == State::kOpen && c.textures_alone && c.mode != GL_POLYGON;
 }
 
 void pass(Capture& c, Reason reason) {
@@ -35,12 +36,6 @@ constexpr Quad kStripQuad = {{0, 1, 3, 2}}, kOtherStripQuad = {{2, 3, 1, 0}};
 Quad completed_quad(const Capture& c) {
   if (c.mode != GL_QUAD_STRIP) return {{0, 1, 2, 3}};
   return c.due == 3 ? kStripQuad : kOtherStripQuad;
-}
-
-// The newer pair stays, the older one makes room.
-void next_strip_quad(Capture& c) {
-  c.next = c.due == 3 ? 0 : 2;
-  c.due ^= 2;
 }
 
 bool same_value(const Capture& c, Slot slot, unsigned a, unsigned b) {
@@ -92,12 +87,6 @@ Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
     corners[i] = {x[0], x[1], x[2], x[3]};
   }
   return corners;
-}
-
-// The window's first four places: A B C D of GL_QUADS and GL_POLYGON, the two pairs of a strip.
-const float (&corner_rows(const Capture& c, Slot slot))[4][4] {
-  static_assert(sizeof(Float4) == sizeof(float[4]));
-  return reinterpret_cast<const float(&)[4][4]>(c.at[slot]);
 }
 
 bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
@@ -243,11 +232,7 @@ bool polygon_vertex(Capture& c) {
 [[gnu::noinline]] bool finish_quad(Capture& c) {
   if (c.mode == GL_POLYGON) return polygon_vertex(c);
   const bool forward = settle(c, completed_quad(c));
-  if (c.mode == GL_QUADS) {
-    c.next = 0;
-  } else {
-    next_strip_quad(c);
-  }
+  next_quad(c);
   return forward;
 }
 
@@ -288,6 +273,8 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.driver = e.driver;
   c.next = 0;
   c.due = 3;
+  c.turn = mode == GL_QUAD_STRIP ? 2 : 0;
+  c.order = mode == GL_QUAD_STRIP ? kStrip : kAround;
   c.raw_kept = 0;
   c.extensions = e.context && e.context->caps_read ? e.context->caps.extensions : 0;
   c.quads = 0;
@@ -320,22 +307,7 @@ Capture* capturing_thread(Entry& e) {
 }
 
 bool quad_complete(Capture& c) {
-  // The usual quad: affine in its only texture. Nothing here but what returns at once, so that no register is saved.
-  if (c.state == State::kOpen && (c.live & kTextureSlots) == bit(kTexture) && c.textures_alone) [[likely]] {
-    if (c.mode == GL_QUADS) {
-      if (truequad::surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture))) [[likely]] {
-        c.counters.pass(Reason::kAffine);
-        c.next = 0;
-        return true;
-      }
-    } else if (truequad::surely_affine<Order::kStrip>(corner_rows(c, kPosition), corner_rows(c, kTexture))) {
-      // Which pair is the older one does not matter to the test.
-      c.counters.pass(Reason::kAffine);
-      ++c.quads;
-      next_strip_quad(c);
-      return true;
-    }
-  }
+  if ((c.live & kTextureSlots) == bit(kTexture) && usual_quad(c)) [[likely]] return true;
   return finish_quad(c);
 }
 

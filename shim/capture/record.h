@@ -25,7 +25,7 @@ inline constexpr unsigned kRawType = 8, kRawNormalized = 12;  // of packed calls
 
 namespace recording {
 
-enum class Step : unsigned { kDrop, kForward, kPending };
+enum class Step : unsigned { kDrop, kForward, kPending, kOtherSlots };
 
 inline Step forward_if(bool forward) { return forward ? Step::kForward : Step::kDrop; }
 
@@ -79,6 +79,18 @@ inline void copy_slot(Capture& c, Slot slot, unsigned place) {
   if (c.raw_kept & bit(slot)) [[unlikely]] c.raw[slot][place] = c.now_raw[slot];
 }
 
+// The rest of a vertex that has more than one texture coordinate, or none.
+inline Step other_slots(Capture& c) {
+  const unsigned place = c.next;
+  if (c.state != State::kPassive) for_each_slot(c.live, [&](Slot slot) { copy_slot(c, slot, place); });
+  c.next = place + 1;
+  if (place == c.due) {
+    c.pending = kPosition;
+    return Step::kPending;
+  }
+  return forward_if(c.forwarding);
+}
+
 template <Row row, unsigned raw_size>
 inline Step vertex(Capture& c, const Float4& position, const void* raw) {
   if (may_lack_extension<row>(c)) return Step::kPending;
@@ -88,13 +100,11 @@ inline Step vertex(Capture& c, const Float4& position, const void* raw) {
   if constexpr (raw_size > 0) std::memcpy(c.raw[kPosition][place].bytes, raw, raw_size);
   const SlotMask live = c.live;
   c.present[place] = live;
-  if (live == bit(kTexture)) [[likely]] {
-    copy_slot(c, kTexture, place);
-  } else if (c.state != State::kPassive) {
-    for_each_slot(live, [&](Slot slot) { copy_slot(c, slot, place); });
-  }
+  if (live != bit(kTexture)) [[unlikely]] return Step::kOtherSlots;
+  copy_slot(c, kTexture, place);
   c.next = place + 1;
   if (place == c.due) {
+    if (usual_quad(c)) [[likely]] return Step::kForward;
     c.pending = kPosition;
     return Step::kPending;
   }
@@ -290,6 +300,7 @@ bool resolve(Capture& c, Arguments... arguments) {
     if (c.pending >= kUseExtension) use_extension(c, c.pending - kUseExtension);
     else set_first(c, c.pending);
     step = record<row>(c, arguments...);
+    if (step == Step::kOtherSlots) step = other_slots(c);
   } while (step == Step::kPending);
   return step == Step::kForward;
 }
@@ -305,10 +316,21 @@ struct Recorder<row, member, void(GLAPIENTRY*)(Arguments...)> {
       case Step::kDrop: return;
       case Step::kForward: return (e.driver->*member)(arguments...);
       case Step::kPending: return pending(arguments...);
+      case Step::kOtherSlots: return other(arguments...);
     }
   }
 
  private:
+  // A loop needs registers that the usual call need not save.
+  [[gnu::noinline]] static void other(Arguments... arguments) {
+    Entry& e = entry;
+    switch (other_slots(*e.active)) {
+      case Step::kForward: return (e.driver->*member)(arguments...);
+      case Step::kPending: return pending(arguments...);
+      default: return;
+    }
+  }
+
   [[gnu::noinline]] static void pending(Arguments... arguments) {
     Entry& e = entry;
     if (resolve<row>(*e.active, arguments...)) return (e.driver->*member)(arguments...);

@@ -12,6 +12,7 @@
 #include "capture/stats.h"
 #include "capture/values.h"
 #include "capture/view.h"
+#include "kernel/affine_fast.h"
 
 namespace truequad {
 
@@ -48,6 +49,9 @@ struct Capture {
   bool forwarding = true;   // calls go to the driver: state != kHeld
   Watch watch = Watch::kNothing;
   bool textures_alone = true;  // decide about a quad: nothing to watch, and colours do not matter
+  bool usual = false;       // open, textures alone decide, and no polygon: see usual_quad()
+  std::uint8_t turn = 0;    // what `due` changes by from quad to quad: a strip's pairs take turns
+  float order = kAround;    // of a quad's vertices in the window's first four places
   Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, give up …
   std::uint32_t extensions = 0;  // bit i: the driver is known to have kExtensions[i], or it does not matter
 
@@ -107,6 +111,29 @@ inline WindowOrder window_order(const Capture& c) {
   // A strip's pairs take turns in places 0 1 and 2 3.
   if (c.mode == GL_QUAD_STRIP && c.due == 1) return {c.next + 2, 2};
   return {c.next, 0};
+}
+
+// The next quad: of GL_QUADS four new vertices; of a strip the newer pair stays, and the older one makes room.
+inline void next_quad(Capture& c) {
+  c.next = c.due ^ 3;
+  c.due ^= c.turn;
+}
+
+// The window's first four places: A B C D of GL_QUADS and GL_POLYGON, the two pairs of a strip.
+inline const float (&corner_rows(const Capture& c, Slot slot))[4][4] {
+  static_assert(sizeof(Float4) == sizeof(float[4]));
+  return reinterpret_cast<const float(&)[4][4]>(c.at[slot]);
+}
+
+// The usual quad: affine in its only texture, of an open primitive. True: it is counted, and its last vertex is forwarded
+// like the others. Inline, so that a vertex call need save nothing for it.
+[[gnu::always_inline]] inline bool usual_quad(Capture& c) {
+  // Which pair of a strip is the older one does not matter to the test.
+  if (!c.usual || !surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture), c.order)) return false;
+  c.counters.pass(Reason::kAffine);
+  ++c.quads;
+  next_quad(c);
+  return true;
 }
 
 // thread.cc: this thread's capture, which it has none of yet. Null without memory.
