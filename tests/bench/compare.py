@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Runs the benchmark without and with truequad in turn, and prints the ratio of the times of each case.
 
-    compare.py BENCH LIBTRUEQUAD [--rounds N] [--only PREFIX] [--check | --instructions]
+    compare.py BENCH LIBTRUEQUAD [--rounds N] [--only PREFIX] [--touched] [--check | --instructions]
 
 Both runs of a round follow each other, so that a machine that slows down slows both. Noise only ever adds time: requirements
 (--check) are put to the ratio of the best times; medians are printed beside them. Many short samples find the undisturbed time
 of either side where few long ones find none: on a busy machine hardly any 50 ms pass without a disturbance. Their number is
 fixed, the same for both, and no sample is taken again because of what it showed.
+
+Of either time a part is page faults, as that driver keeps every buffer of vertices. --touched measures the calls without them:
+memory is touched beforehand, and a sample with faults is refused.
 
 --instructions counts them by valgrind's callgrind instead, which no noise disturbs: the difference of a long and a short run.
 """
@@ -23,13 +26,12 @@ import tempfile
 PER_ITERATION = 1000
 # Page faults that an iteration may have: one costs as much as a hundred quads.
 FAULTS = 1
-# Largest allowed ratio to native, by the first letters of a case's name (issue "Speed").
+# Largest allowed ratio to native, by the first letters of a case's name.
 LIMITS = {"affine": 1.6, "triangles": 1.05}
 
 
 def environment_for(preload, stats):
-    # Large pages, so that the memory that is touched beforehand (bench.cc) takes seconds less.
-    environment = dict(os.environ, GALLIUM_NOOP="1", TRUEQUAD_STATS=stats, GLIBC_TUNABLES="glibc.malloc.hugetlb=1")
+    environment = dict(os.environ, GALLIUM_NOOP="1", TRUEQUAD_STATS=stats)
     environment.pop("LD_PRELOAD", None)
     if preload:
         environment["LD_PRELOAD"] = preload
@@ -37,15 +39,18 @@ def environment_for(preload, stats):
 
 
 def run(options, case, preload, stats):
-    """Times of a quad or triangle in ns. A process of its own for each case, as the driver keeps all memory (bench.cc)."""
+    """Times of a quad or triangle in ns. A process of its own for each case, as the driver keeps all memory."""
     command = [options.bench, "--benchmark_format=json", f"--benchmark_min_time={options.seconds}",
                "--benchmark_min_warmup_time=0.01", f"--benchmark_repetitions={options.samples}",
                f"--benchmark_filter=^{case}$"]
-    output = subprocess.run(command, env=environment_for(preload, stats), check=True, stdout=subprocess.PIPE,
-                            stderr=subprocess.DEVNULL).stdout
+    environment = environment_for(preload, stats)
+    if options.touched:
+        # Large pages, so that touching takes seconds less.
+        environment.update(BENCH_TOUCHED="1", GLIBC_TUNABLES="glibc.malloc.hugetlb=1")
+    output = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     samples = [row for row in json.loads(output)["benchmarks"] if row["run_type"] == "iteration"]
     for row in samples:
-        if row["faults"] > FAULTS:
+        if options.touched and row["faults"] > FAULTS:
             sys.exit(f"compare: {case}: {row['faults']:.1f} page faults an iteration would be measured, not calls")
     return [row["cpu_time"] / PER_ITERATION for row in samples]
 
@@ -78,6 +83,7 @@ def main():
     parser.add_argument("--samples", type=int, default=5, help="of each case in a round")
     parser.add_argument("--seconds", type=float, default=0.02, help="least time of a sample")
     parser.add_argument("--only", metavar="PREFIX", default="", help="cases whose names begin so")
+    parser.add_argument("--touched", action="store_true", help="measure without the driver's page faults")
     parser.add_argument("--check", action="store_true", help="fail when a requirement is not met")
     parser.add_argument("--instructions", action="store_true", help="count instead of measuring")
     options = parser.parse_args()
