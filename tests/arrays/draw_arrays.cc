@@ -1,5 +1,6 @@
 // draw_arrays FAMILY,FAMILY… COUNT WIDTH HEIGHT WAY FILE: draws scenes from vertex arrays, in one of many ways (ways.h).
 #include <cstring>
+#include <numeric>
 
 #include "elements.h"
 
@@ -42,6 +43,43 @@ void indexed(const Scene& scene, GLenum type, bool range) {
     else glDrawElements(mode_of(p), count_of(p), type, indices.data());
   }
   disable_arrays();
+}
+
+// All primitives' elements, one behind the other, and the arrays set to them.
+Way from_one_array(std::function<void(const Scene&, const std::vector<GLint>& first, const std::vector<GLsizei>& count)> draw) {
+  return [draw](const Scene& scene) {
+    std::vector<GLint> first;
+    std::vector<GLsizei> count;
+    const auto all = all_elements(scene, first, count);
+    enable_arrays();
+    point_at(all);
+    draw(scene, first, count);
+    disable_arrays();
+  };
+}
+
+// 0 to 255.
+template <typename T>
+std::vector<T> counted() {
+  std::vector<T> indices(256);
+  std::iota(indices.begin(), indices.end(), T(0));
+  return indices;
+}
+
+// One call for all primitives, which `between` parts.
+template <typename T>
+Way restarting(GLenum restart, GLenum type, T between, GLuint set) {
+  return from_one_array([=](const Scene& s, const auto& first, const auto& count) {
+    std::vector<T> indices;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      for (GLint k = 0; k < count[i]; ++k) indices.push_back(T(first[i] + k));
+      indices.push_back(between);
+    }
+    glPrimitiveRestartIndex(set);
+    glEnable(restart);
+    glDrawElements(mode_of(s.primitives[0]), GLsizei(indices.size()), type, indices.data());
+    glDisable(restart);
+  });
 }
 
 // A second pass over what `first` drew, on the same depths, added to it.
@@ -226,54 +264,27 @@ std::map<std::string, Way> ways() {
          }
          disable_arrays();
        }},
-      {"multi_arrays", [](const Scene& s) {
-         std::vector<GLint> first;
-         std::vector<GLsizei> count;
-         const auto all = all_elements(s, first, count);
-         enable_arrays();
-         point_at(all);
+      {"multi_arrays", from_one_array([](const Scene& s, const auto& first, const auto& count) {
          glMultiDrawArrays(mode_of(s.primitives[0]), first.data(), count.data(), GLsizei(first.size()));
-         disable_arrays();
-       }},
-      {"multi_elements", [](const Scene& s) {
-         std::vector<GLint> first;
-         std::vector<GLsizei> count;
-         const auto all = all_elements(s, first, count);
-         std::vector<GLushort> indices;
-         for (std::size_t i = 0; i < all.size(); ++i) indices.push_back(GLushort(i));
+       })},
+      {"multi_elements", from_one_array([](const Scene& s, const auto& first, const auto& count) {
+         const auto indices = counted<GLushort>();
          std::vector<const void*> starts;
          for (GLint i : first) starts.push_back(indices.data() + i);
-         enable_arrays();
-         point_at(all);
          glMultiDrawElements(mode_of(s.primitives[0]), count.data(), GL_UNSIGNED_SHORT, starts.data(), GLsizei(first.size()));
-         disable_arrays();
-       }},
-      {"base_vertex", [](const Scene& s) {
-         std::vector<GLint> first;
-         std::vector<GLsizei> count;
-         const auto all = all_elements(s, first, count);
-         std::vector<GLubyte> indices;
-         for (int i = 0; i < 256; ++i) indices.push_back(GLubyte(i));
-         enable_arrays();
-         point_at(all);
+       })},
+      {"base_vertex", from_one_array([](const Scene& s, const auto& first, const auto& count) {
+         const auto indices = counted<GLubyte>();
          for (std::size_t i = 0; i < first.size(); ++i) {
            glDrawElementsBaseVertex(mode_of(s.primitives[i]), count[i], GL_UNSIGNED_BYTE, indices.data(), first[i]);
          }
-         disable_arrays();
-       }},
-      {"multi_base_vertex", [](const Scene& s) {
-         std::vector<GLint> first;
-         std::vector<GLsizei> count;
-         const auto all = all_elements(s, first, count);
-         std::vector<GLuint> indices;
-         for (GLuint i = 0; i < 256; ++i) indices.push_back(i);
+       })},
+      {"multi_base_vertex", from_one_array([](const Scene& s, const auto& first, const auto& count) {
+         const auto indices = counted<GLuint>();
          const std::vector<const void*> starts(first.size(), indices.data());
-         enable_arrays();
-         point_at(all);
          glMultiDrawElementsBaseVertex(mode_of(s.primitives[0]), count.data(), GL_UNSIGNED_INT, starts.data(),
                                        GLsizei(first.size()), first.data());
-         disable_arrays();
-       }},
+       })},
       {"instanced", by_primitive([](const Primitive& p, const auto&) {
          glDrawArraysInstanced(mode_of(p), 0, count_of(p), 2);
        })},
@@ -302,8 +313,7 @@ std::map<std::string, Way> ways() {
          std::vector<GLint> first;
          std::vector<GLsizei> count;
          const auto all = all_elements(s, first, count);
-         std::vector<GLushort> indices;
-         for (GLushort i = 0; i < 256; ++i) indices.push_back(i);
+         const auto indices = counted<GLushort>();
          const GLuint buffer = buffer_of(GL_ARRAY_BUFFER, all.size() * sizeof(Element), all.data());
          const GLuint elements = buffer_of(GL_ELEMENT_ARRAY_BUFFER, indices.size() * 2, indices.data());
          enable_arrays();
@@ -319,41 +329,9 @@ std::map<std::string, Way> ways() {
          delete_buffer(buffer);
          delete_buffer(elements);
        }},
-      {"restart", [](const Scene& s) {
-         std::vector<GLint> first;
-         std::vector<GLsizei> count;
-         const auto all = all_elements(s, first, count);
-         std::vector<GLushort> indices;
-         for (std::size_t i = 0; i < first.size(); ++i) {
-           for (GLint k = 0; k < count[i]; ++k) indices.push_back(GLushort(first[i] + k));
-           indices.push_back(0xfffe);
-         }
-         glPrimitiveRestartIndex(0xfffe);
-         glEnable(GL_PRIMITIVE_RESTART);
-         enable_arrays();
-         point_at(all);
-         glDrawElements(mode_of(s.primitives[0]), GLsizei(indices.size()), GL_UNSIGNED_SHORT, indices.data());
-         disable_arrays();
-         glDisable(GL_PRIMITIVE_RESTART);
-       }},
-      {"restart_fixed", [](const Scene& s) {
-         std::vector<GLint> first;
-         std::vector<GLsizei> count;
-         const auto all = all_elements(s, first, count);
-         std::vector<GLubyte> indices;
-         for (std::size_t i = 0; i < first.size(); ++i) {
-           for (GLint k = 0; k < count[i]; ++k) indices.push_back(GLubyte(first[i] + k));
-           indices.push_back(0xff);
-         }
-         // The greatest index of the type, whatever is set for GL_PRIMITIVE_RESTART.
-         glPrimitiveRestartIndex(1);
-         glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
-         enable_arrays();
-         point_at(all);
-         glDrawElements(mode_of(s.primitives[0]), GLsizei(indices.size()), GL_UNSIGNED_BYTE, indices.data());
-         disable_arrays();
-         glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
-       }},
+      {"restart", restarting<GLushort>(GL_PRIMITIVE_RESTART, GL_UNSIGNED_SHORT, 0xfffe, 0xfffe)},
+      // The greatest index of the type, whatever is set for GL_PRIMITIVE_RESTART.
+      {"restart_fixed", restarting<GLubyte>(GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_UNSIGNED_BYTE, 0xff, 1)},
       {"array_element", by_primitive([](const Primitive& p, const auto&) {
          glBegin(mode_of(p));
          for (GLint i = 0; i < count_of(p); ++i) glArrayElement(i);
