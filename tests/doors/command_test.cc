@@ -133,20 +133,26 @@ TEST(Command, SaysAsAShellWhenTheProgramCannotRun) {
 TEST(Command, StandsBetweenLibglvndAndTheDriver) {
   const Scratch scratch;
   const std::string one = scratch / "one.json", two = scratch / "two.json";
-  std::ofstream(one) << "{ \"ICD\" : { \"library_path\" : \"libEGL_one.so.0\" } }";
+  std::ofstream(one) << "{ \"ICD\" : { \"library_path\" : \"libEGL_mesa.so.0\" } }";
   std::ofstream(two) << "{ \"ICD\" : { \"library_path\" : \"libEGL_two.so.0\" } }";
   const std::string show = "echo \"$TRUEQUAD_VENDOR|$__GLX_VENDOR_LIBRARY_NAME|$LD_PRELOAD\"";
-  const std::map<std::string, std::string> known = {{"__GLX_VENDOR_LIBRARY_NAME", "one"},
+  const std::map<std::string, std::string> known = {{"__GLX_VENDOR_LIBRARY_NAME", "mesa"},
                                                     {"__EGL_VENDOR_LIBRARY_FILENAMES", one},
                                                     {"TRUEQUAD_VENDOR", ""},
                                                     {"LD_PRELOAD", ""}};
-  EXPECT_EQ(truequad({"--vendor", "sh", "-c", show}, known).out, "libGLX_one.so.0:libEGL_one.so.0|truequad|\n");
+  EXPECT_EQ(truequad({"--vendor", "sh", "-c", show}, known).out, "libGLX_mesa.so.0:libEGL_mesa.so.0|truequad|\n");
   // A program that was started like this starts another one.
   EXPECT_EQ(truequad({"--vendor", kCommand, "--vendor", "sh", "-c", show}, known).out,
-            "libGLX_one.so.0:libEGL_one.so.0|truequad|\n");
+            "libGLX_mesa.so.0:libEGL_mesa.so.0|truequad|\n");
   auto unknown = known;
   unknown["__EGL_VENDOR_LIBRARY_FILENAMES"] = one + ":" + two;
-  expect_complaint(truequad({"--vendor", "true"}, unknown), 2, "libEGL_one.so.0, libEGL_two.so.0");
+  expect_complaint(truequad({"--vendor", "true"}, unknown), 2, "libEGL_mesa.so.0, libEGL_two.so.0");
+  // There is one, and it cannot be loaded.
+  unknown["__EGL_VENDOR_LIBRARY_FILENAMES"] = two;
+  expect_complaint(truequad({"--vendor", "true"}, unknown), 2, "libEGL_two.so.0");
+  unknown = known;
+  unknown["__GLX_VENDOR_LIBRARY_NAME"] = "two";
+  expect_complaint(truequad({"--vendor", "true"}, unknown), 2, "libGLX_two.so.0");
   // Two libraries of GLX.
   unknown = known;
   unknown["__GLX_VENDOR_LIBRARY_NAME"] = "";

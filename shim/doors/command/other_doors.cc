@@ -109,17 +109,17 @@ std::string become_vendor(const fs::path& directory) {
   const fs::path own = directory / "truequad-vendor";
   std::error_code error;
   if (!fs::exists(own / "egl.json", error)) return "--vendor: " + own.string() + " is missing";
-  std::string names;
+  const std::string glx_library = glx.empty() ? "" : "libGLX_" + *glx.begin() + ".so.0", egl_library = egl.empty() ? "" : *egl.begin();
+  for (const std::string& library : {glx_library, egl_library}) {
+    if (!library.empty() && file_of(library.c_str()).empty()) return "--vendor: " + library + " cannot be loaded";
+  }
   if (!glx.empty()) {
-    names = "libGLX_" + *glx.begin() + ".so.0";
     ::setenv("__GLX_VENDOR_LIBRARY_NAME", kOwnGlx, 1);
   }
-  names += ":";
   if (!egl.empty()) {
-    names += *egl.begin();
     ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", (own / "egl.json").c_str(), 1);
   }
-  ::setenv("TRUEQUAD_VENDOR", names.c_str(), 1);
+  ::setenv("TRUEQUAD_VENDOR", (glx_library + ":" + egl_library).c_str(), 1);
   put_first("LD_LIBRARY_PATH", own);
   return "";
 }
