@@ -13,7 +13,7 @@ declare -A truequad_packages=(
     imagemagick fonts-dejavu-core"
   [tests]="libgtest-dev libgmock-dev libbenchmark-dev libgmp-dev libboost-dev nlohmann-json3-dev libstb-dev libepoxy-dev
     libosmesa6-dev libegl-dev libgl-dev libx11-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 xvfb python3 make pkg-config
-    freeglut3-dev libglew-dev libglfw3-dev libsdl2-dev
+    freeglut3-dev libglew-dev libglfw3-dev libsdl2-dev apitrace-tracers
     libglu1-mesa-dev libftgl-dev fonts-dejavu-core"
   # Real programs that draw quads, and the X server without a screen that they run on.
   [programs]="xvfb xauth libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb-dev libegl-dev libgl-dev libx11-dev
