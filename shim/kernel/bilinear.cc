@@ -18,6 +18,9 @@ constexpr int kDepth = 6;
 constexpr double kMaxInset = 0.3;
 // Smallest: an inserted vertex must stay off the edge when its position is rounded to single precision.
 constexpr double kMinInset = 0x1p-20;
+// And when a rasteriser snaps it, or its triangles would cover pixels beyond the edge. In widths of the grid: each vertex, and
+// each end of the edge, moves by half of one in x and in y.
+constexpr double kMinInsetSteps = 1.5;
 // Smallest mesh with a block that touches no side.
 constexpr int kSmallestBlock = 12;
 // Triangles spent on a quad whose texture map folds: no number of them gives a bound there.
@@ -204,6 +207,10 @@ class BlockSearch {
         aim_px_(budget.mesh_px),
         lines_px_((model.rasteriser.exact() ? kMargin : kRasteriserMargin) * aim_px_) {
     shrink_.fill(model.rasteriser.exact() ? kMargin : kInsetMargin);
+    for (int side = 0; side < 4; ++side) {
+      const double off_px = kMinInsetSteps * model.rasteriser.snap_px;
+      least_inset_[std::size_t(side)] = std::max(kMinInset, model.screen.parameter_at(side, off_px, kMaxInset));
+    }
   }
 
   // Sets lines, triangles and bound_px; returns false if not even the smallest block fits under the cap.
@@ -242,7 +249,7 @@ class BlockSearch {
       const Density &along = along_u ? densities_.u : densities_.v, &across = along_u ? densities_.v : densities_.u;
       const double estimate = inset_for(along, across, at_start, apex_[std::size_t(side)], aim_px_);
       const double inset =
-          plan_.collapsed_edge[side] ? 0 : std::clamp(shrink_[side] * estimate, kMinInset, kMaxInset);
+          plan_.collapsed_edge[side] ? 0 : std::clamp(shrink_[side] * estimate, least_inset_[side], kMaxInset);
       moved += std::fabs(inset - inset_[side]);
       inset_[side] = inset;
     }
@@ -364,7 +371,7 @@ class BlockSearch {
   double lines_px_;  // the same for the lines alone, corrected by what verification found
   Insets shrink_;    // the same for insets, as a factor
   Densities densities_;
-  Insets inset_{}, apex_{};
+  Insets least_inset_, inset_{}, apex_{};
   double sides_px_ = 0;
   bool at_cap_ = false, reachable_ = true, found_ = false;
   int sliver_rounds_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <utility>
 
 namespace truequad::kernel {
 namespace {
@@ -47,6 +48,21 @@ bool ScreenQuad::collapsed_edge(int i) const {
   if (!(p.w > 0) || !(q.w > 0)) return false;
   const double dx = p.x / p.w - q.x / q.w, dy = p.y / p.w - q.y / q.w;
   return dx * dx + dy * dy <= kCollapsedPx * kCollapsedPx;
+}
+
+double ScreenQuad::parameter_at(int i, double px, double most) const {
+  const ScreenPoint &a = corner[i], &b = corner[(i + 1) % 4];
+  // Its dot product with a point's x, y, w is w times the distance from the edge.
+  const glm::dvec3 line = glm::cross(glm::dvec3(a.x, a.y, a.w), glm::dvec3(b.x, b.y, b.w));
+  const double length = glm::length(glm::dvec2(line.x, line.y));
+  double result = 0;
+  for (const auto& [near, far] : {std::pair(&a, &corner[(i + 3) % 4]), std::pair(&b, &corner[(i + 2) % 4])}) {
+    const double away = std::fabs(glm::dot(line, glm::dvec3(far->x, far->y, far->w))) / length;
+    // t away = px ((1 - t) w_near + t w_far)
+    const double t = px * near->w / (away - px * (far->w - near->w));
+    if (t > result && t <= most) result = t;
+  }
+  return result;
 }
 
 BarycentricWeights::BarycentricWeights(const std::array<ScreenPoint, 3>& corner) {

@@ -46,6 +46,9 @@ struct ScreenQuad {
   // True if the ends of the edge from corner i to the next are so near on the screen that nothing along it
   // can be told apart.
   bool collapsed_edge(int i) const;
+  // Part of the quad between the edge from corner i to the next and the nearest line of constant parameter whose ends, as
+  // far as they can be, are `px` away from the edge. Nothing if that is beyond `most`.
+  double parameter_at(int i, double px, double most) const;
 };
 
 // Weights of a triangle's corners, which sum to 1, at any homogeneous point of its plane.

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <map>
 #include <set>
 
 #include "measure.h"
+#include "screen.h"
 
 namespace truequad::test {
 namespace {
@@ -85,6 +87,45 @@ TEST_P(Tiling, CoversTheParameterSquareOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Tiling, testing::Range(0, int(Kind::kCount)),
                          [](const auto& info) { return name(Kind(info.param)); });
+
+// However thin the triangles along an edge are wished to be, a rasteriser that moves their vertices to its grid, by half of
+// its width at most, and the edge's ends with them, moves none beyond the edge: pixels there would be touched.
+TEST(Inserted, VerticesStayInsideWhenTheyAreSnapped) {
+  Plan& plan = scratch_plan();
+  int meshes = 0;
+  for (const Kind kind : {Kind::kConvex, Kind::kFoldedTexture, Kind::kTextureCollinear}) {
+    for (unsigned trial = 0; trial < 300; ++trial) {
+      Quad quad = random_quad(Kind::kConvex, trial);
+      quad.texture = random_quad(kind, trial).texture;
+      // Three corners of one colour, which is a map without inverse at them.
+      if (trial % 3 == 0) quad.texture[1] = quad.texture[2] = quad.texture[3];
+      quad.view.snap_px = 1.0 / 256;
+      quad.view.setup_rounding = 0x1p-24;
+      truequad::plan(quad.position, {&quad.texture, 1}, quad.view, {}, Mode::kBilinear, plan);
+      kernel::ScreenQuad screen;
+      ASSERT_TRUE(kernel::make_screen_quad(quad.position, quad.view, screen));
+      if (plan.action != Action::kMesh || plan.u.count <= 2) continue;
+      ++meshes;
+      const auto snapped = [&](double u, double v) {
+        const kernel::MeshPoint p = screen.mesh_point(u, v);
+        return glm::dvec2(std::round(p.x * 256), std::round(p.y * 256));
+      };
+      const glm::dvec2 corner[] = {snapped(0, 0), snapped(1, 0), snapped(1, 1), snapped(0, 1)};
+      for (const Param& p : mesh_of(plan).vertices) {
+        const double to_side[] = {p.v, 1 - p.u, 1 - p.v, p.u};
+        const glm::dvec2 at = snapped(p.u, p.v);
+        for (int side = 0; side < 4; ++side) {
+          if (to_side[side] == 0 || plan.collapsed_edge[std::size_t(side)]) continue;
+          const glm::dvec2 a = corner[side], along = corner[(side + 1) % 4] - a, away = at - a;
+          const glm::dvec2 far = corner[(side + 2) % 4] - a, other = corner[(side + 3) % 4] - a;
+          const auto left = [&](const glm::dvec2& of) { return along.x * of.y - along.y * of.x; };
+          ASSERT_GT(left(away) * (left(far) + left(other)), 0) << name(kind) << " " << trial << " side " << side;
+        }
+      }
+    }
+  }
+  EXPECT_GT(meshes, 300);
+}
 
 TEST(Interpolate, IsBitExactAtTheCornersAndConstantAlongEqualEnds) {
   for (unsigned trial = 0; trial < 10000; ++trial) {

@@ -94,10 +94,6 @@ const std::vector<Expected> kScenes = {
     {"illegal_calls", 0, Corrected::kSome, 150},
     {"legal_calls", 0, Corrected::kSome, 150},
     {"calls_of_mixed_sizes", 0, Corrected::kSome, 150},
-};
-
-// Those that are not yet so: what is wrong stands in README.md.
-const std::vector<Expected> kOpen = {
     {"flat_textures", 0, Corrected::kSome, 1},
     {"touched_once", 0, Corrected::kSome, 240},
 };
