@@ -92,6 +92,33 @@ void fog_coordinate(unsigned first, unsigned seeds) {
   });
 }
 
+// Secondary colours and fog coordinates that no map of the position makes: what is seen is ours alone, and the same whichever
+// way the vertices come.
+float unrelated(int number) { return float(number * 7 % 11) / 10; }
+
+void bent_secondary(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_COLOR_SUM);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    glColor3f(0.1f, 0, 0.2f);
+    send_with(shape, [&](const Vertex&, int number) {
+      glSecondaryColor3f(unrelated(number), unrelated(number + 1), unrelated(number + 2));
+    });
+  });
+  glDisable(GL_COLOR_SUM);
+}
+
+void bent_fog(unsigned first, unsigned seeds) {
+  prepare_scene();
+  glEnable(GL_FOG);
+  glFogi(GL_FOG_MODE, GL_EXP2);
+  glFogf(GL_FOG_DENSITY, 1.5f);
+  glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    send_with(shape, [&](const Vertex&, int number) { glFogCoordf(unrelated(number)); });
+  });
+}
+
 // Mesa takes the fog of a vertex behind the eye for that of one in front, so the floor's is no ramp natively.
 void fog_of_depth(unsigned first, unsigned seeds) {
   prepare_scene();
@@ -211,6 +238,8 @@ const std::vector<Scene>& colour_scenes() {
       {"unclamped", unclamped},
       {"fog_coordinate", fog_coordinate},
       {"fog_of_depth", fog_of_depth},
+      {"bent_secondary", bent_secondary},
+      {"bent_fog", bent_fog},
       {"translucent", translucent},
       {"alpha_test", alpha_test},
       {"logic_operation", logic_operation},

@@ -1,7 +1,8 @@
-// draw_semantics_API [compile:|execute:]CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL, or with each shape
-// in a list, for COUNT seeds and writes its records. A program like any other, which knows nothing of truequad.
+// draw_semantics_API [compile:|execute:|arrays:]CASE FIRST COUNT FILE: draws a scene with immediate-mode OpenGL, or with each
+// shape in a list or from arrays, for COUNT seeds and writes its records. A program like any other, which knows nothing of truequad.
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include "canvas.h"
@@ -43,7 +44,7 @@ bool draw_scene(const std::string& wanted, unsigned first, unsigned seeds) {
 
 int run(int count, char** arguments) {
   if (count != 5) {
-    std::fprintf(stderr, "usage: %s [compile:|execute:]CASE FIRST COUNT FILE\n", arguments[0]);
+    std::fprintf(stderr, "usage: %s [compile:|execute:|arrays:]CASE FIRST COUNT FILE\n", arguments[0]);
     return 2;
   }
   std::string wanted = arguments[1];
@@ -51,6 +52,10 @@ int run(int count, char** arguments) {
     if (!wanted.starts_with(prefix)) continue;
     listing = way;
     wanted.erase(0, std::string(prefix).size());
+  }
+  if (constexpr std::string_view kArrays = "arrays:"; wanted.starts_with(kArrays)) {
+    from_arrays = true;
+    wanted.erase(0, kArrays.size());
   }
   images::open_canvas(kWidth, kHeight);
   open_records(arguments[4]);

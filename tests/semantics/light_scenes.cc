@@ -136,6 +136,24 @@ void flat_highlight(unsigned first, unsigned seeds) {
   });
 }
 
+// Normals all over the place, a lamp, a highlight of its own and fog.
+void bent_normals(unsigned first, unsigned seeds) {
+  prepare_scene();
+  light(0.5f, 0.25f, -1, 1);
+  const float white[] = {1, 1, 1, 1};
+  glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, white);
+  glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 6);
+  glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+  glEnable(GL_NORMALIZE);
+  glEnable(GL_FOG);
+  for_each_planar(first, seeds, "", [](const Shape& shape) {
+    send_with(shape, [](const Vertex&, int number) {
+      glNormal3f(float(number * 5 % 7) - 3, float(number * 3 % 5) - 2, 2);
+    });
+  });
+}
+
 // A trapezoid, corrected, and right of it a rectangle, passed, with the edge x = 0 between two columns of
 // pixels. The attributes of the edge's ends differ, and do not depend on x.
 template <typename F>
@@ -226,6 +244,7 @@ const std::vector<Scene>& light_scenes() {
       {"flat_lamp_last", flat_lamp<GL_LAST_VERTEX_CONVENTION>},
       {"flat_lamp_first", flat_lamp<GL_FIRST_VERTEX_CONVENTION>},
       {"flat_highlight", flat_highlight},
+      {"bent_normals", bent_normals},
       {"seam_colours", seam_colours},
       {"seam_normals", seam_normals},
       {"seam_normalized", seam_normalized},

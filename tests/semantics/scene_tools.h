@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pass.h"
 #include "record.h"
@@ -53,13 +54,40 @@ class Listed {
   GLuint list_ = 0;
 };
 
+// Whether the same primitives are drawn from vertex arrays, all attributes in arrays of their own.
+inline bool from_arrays = false;
+
+// Vertices with the current values that they are noted under.
+class NotedVertices {
+ public:
+  void note(const Vertex& vertex);
+  // By glDrawArrays; no array is enabled before or after.
+  void draw(GLenum mode) const;
+
+ private:
+  struct Noted {
+    GLfloat colour[4], secondary[4], normal[3], fog, texture[2], second[4], position[3];
+    GLboolean edge;
+  };
+  std::vector<Noted> vertices_;
+};
+
 // The shape with warped coordinates; `attributes(vertex, number)` comes before each vertex.
 template <typename F>
 void send_with(const Shape& shape, F attributes) {
   const Listed listed;
   for (const Primitive& primitive : shape.primitives) {
-    glBegin(primitive.mode);
     int number = 0;
+    if (from_arrays) {
+      NotedVertices vertices;
+      for (const Vertex& v : primitive.vertices) {
+        attributes(v, number++);
+        vertices.note(v);
+      }
+      vertices.draw(primitive.mode);
+      continue;
+    }
+    glBegin(primitive.mode);
     for (const Vertex& v : primitive.vertices) {
       attributes(v, number++);
       glTexCoord2f(v.u, v.v);
