@@ -95,7 +95,7 @@ const std::vector<Expected> kScenes = {
     {"legal_calls", 0, Corrected::kSome, 150},
     {"calls_of_mixed_sizes", 0, Corrected::kSome, 150},
     {"flat_textures", 0, Corrected::kSome, 1},
-    {"touched_once", 0, Corrected::kSome, 240},
+    {"touched_once", 0, Corrected::kSome, 120},
 };
 
 constexpr std::size_t kPictureBytes = std::size_t(kWidth) * kHeight * 4;
