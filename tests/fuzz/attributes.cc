@@ -1,4 +1,5 @@
 // Vertices and attributes, through every entry point that the registry has for them.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -94,14 +95,14 @@ struct Entry {
   Family family;
   int size;
   Number number;
-  bool normalized;
+  bool normalized, is_unsigned;
   void (*make)(const char* name, const Values& values);
   const char* name;
   const void* const* function;  // in `gl`
 };
 
 #define TQ_ATTRIBUTE(Name, family, size, type, normalized, vector, requires_)                                    \
-  {Family::family, size, number_of(#type), normalized != 0,                                                      \
+  {Family::family, size, number_of(#type), normalized != 0, std::string_view(#type).starts_with("GLu"),           \
    &Maker<&Driver::Name, Family::family, number_of(#type), normalized != 0, decltype(Driver::Name)>::make, "gl" #Name, \
    reinterpret_cast<const void* const*>(&gl.Name)},
 const Entry kEntries[] = {
@@ -109,16 +110,25 @@ const Entry kEntries[] = {
 };
 #undef TQ_ATTRIBUTE
 
-// Some call of a family, of so many numbers if the family has such; 0: of any.
-const Entry& some_call(Random& random, Family family, int size) {
+bool has_negative(const Values& values) {
+  return std::ranges::any_of(values.at, [](double x) { return x < 0; });
+}
+
+// Whether a call gives just these whole numbers.
+bool gives(const Entry& entry, const Values& values) {
+  return !entry.normalized && !(entry.is_unsigned && has_negative(values));
+}
+
+// Some call of a family, of so many numbers if the family has such; 0: of any. `exact`: that gives just these.
+const Entry& some_call(Random& random, Family family, int size, const Values* exact = nullptr) {
   const Entry* found = nullptr;
   int count = 0;
   for (const Entry& entry : kEntries) {
-    if (entry.family != family || (size > 0 && entry.size != size) || !*entry.function) continue;
+    if (entry.family != family || (size > 0 && entry.size != size) || !*entry.function || (exact && !gives(entry, *exact))) continue;
     ++count;
     if (random.below(count) == 0) found = &entry;
   }
-  if (!found && size > 0) return some_call(random, family, 0);
+  if (!found && size > 0) return some_call(random, family, 0, exact);
   return found ? *found : kEntries[0];
 }
 
@@ -129,10 +139,10 @@ GLuint packed_type(Random& random) {
   return random.of<GLuint>({GL_INT_2_10_10_10_REV, GL_UNSIGNED_INT_2_10_10_10_REV});
 }
 
-void make(Random& random, const Entry& entry, Values values) {
+void make(Random& random, const Entry& entry, Values values, bool exact = false) {
   if (entry.number == Number::kPacked) {
     // After a name (MultiTexCoordP, VertexAttribP), or first.
-    values.leading[1] = packed_type(random);
+    values.leading[1] = exact ? GL_INT_2_10_10_10_REV : packed_type(random);
     values.leading[2] = GLuint(random.below(2));
   }
   entry.make(entry.name, values);
@@ -172,8 +182,10 @@ void execute_vertex(const Op& op) {
   const int z = size == 2 ? 0 : c.z;
   if (plain && size == 3) return GL(Vertex3f, GLfloat(c.x), GLfloat(c.y), GLfloat(z));
   Values values = {{double(c.x), double(c.y), double(z), 1}, {0, 0, 0}};
-  if (random.chance(1)) values.at[random.below(4)] = random.of<double>({NAN, INFINITY, 1e30, 1e-40, 0});
-  make(random, some_call(random, !plain && random.chance(6) ? Family::VertexAttrib : Family::Vertex, size), values);
+  const bool exact = op.warp & kExact;
+  if (random.chance(1) && !exact) values.at[random.below(4)] = random.of<double>({NAN, INFINITY, 1e30, 1e-40, 0});
+  make(random, some_call(random, !plain && random.chance(6) ? Family::VertexAttrib : Family::Vertex, size, exact ? &values : nullptr), values,
+       exact);
 }
 
 void execute_attribute(const Op& op) {

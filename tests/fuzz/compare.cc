@@ -152,14 +152,16 @@ std::vector<bool> seem_to_fail(const Programs& programs, const std::vector<Seque
 Sequence shrink(const Programs& programs, Sequence sequence, Kind kind, const std::string& found, double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  std::size_t first = 0;
+  while (first < sequence.size() && stays(sequence[first].step)) ++first;
   for (std::size_t size = (sequence.size() + 1) / 2; size > 0 && Clock::now() < end;) {
     std::vector<Sequence> candidates;
-    for (std::size_t at = 0; at < sequence.size(); at += size) candidates.push_back(without(sequence, at, at + size));
+    for (std::size_t at = first; at < sequence.size(); at += size) candidates.push_back(without(sequence, at, at + size));
     const std::vector<bool> fail = seem_to_fail(programs, candidates, kind, found);
     // All that can go at once, else the first that can.
-    Sequence all;
-    for (std::size_t i = 0; i < sequence.size(); ++i) {
-      if (!fail[i / size]) all.push_back(sequence[i]);
+    Sequence all(sequence.begin(), sequence.begin() + long(first));
+    for (std::size_t i = first; i < sequence.size(); ++i) {
+      if (!fail[(i - first) / size]) all.push_back(sequence[i]);
     }
     bool smaller = all.size() < sequence.size() && finding(programs, all, kind) == found;
     if (smaller) sequence = all;

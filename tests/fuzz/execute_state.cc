@@ -96,6 +96,18 @@ void raster(Random& random) {
   }
 }
 
+// Softpipe walks along edges in single precision: whether a pixel whose centre is on an edge belongs to a triangle depends on
+// the third corner as well. By so much of a pixel no edge or diagonal of a shape comes nearer than 0.0007 px to a centre.
+void cover(bool count) {
+  GL(MatrixMode, GL_PROJECTION);
+  GL(Translated, 64 / 512.0, 31 / 512.0, 0.0);
+  GL(MatrixMode, GL_MODELVIEW);
+  if (!count) return;
+  GL(Enable, GL_STENCIL_TEST);
+  GL(StencilFunc, GL_ALWAYS, 0, 255u);
+  GL(StencilOp, GL_KEEP, GL_KEEP, GL_INCR);
+}
+
 GLbitfield attribute_bits(Random& random) {
   if (random.chance(30)) return GL_ALL_ATTRIB_BITS;
   return random.of<GLbitfield>({GL_CURRENT_BIT, GL_CURRENT_BIT, GL_ENABLE_BIT, GL_LIGHTING_BIT, GL_TEXTURE_BIT, GL_LIST_BIT,
@@ -113,6 +125,7 @@ void execute_state(const Op& op, Player&) {
     case Step::kTexture: return texture(random);
     case Step::kLighting: return lighting(random);
     case Step::kRaster: return raster(random);
+    case Step::kCover: return cover(op.index != 0);
     case Step::kPushAttrib: return random.chance(75) ? GL(PushAttrib, attribute_bits(random)) : GL(PushClientAttrib, GL_ALL_ATTRIB_BITS);
     default: return random.chance(75) ? GL(PopAttrib) : GL(PopClientAttrib);
   }

@@ -27,7 +27,7 @@ struct Settings {
 };
 
 struct Tally {
-  std::uint64_t trials = 0, native_crashes = 0, unsteady = 0;
+  std::uint64_t trials = 0, native_crashes = 0, unsteady = 0, with_corrected = 0, corrected = 0;
   int findings = 0;
 };
 
@@ -45,9 +45,11 @@ class Fuzz {
       block(trial, next);
       trial = next;
     }
-    std::printf("%llu sequences from %llu on in %.0f s: %d findings; the driver alone crashed in %llu, and was not steady in %llu\n",
+    std::printf("%llu sequences from %llu on in %.0f s: %d findings; %llu quads corrected in %llu of them; the driver alone crashed in %llu, and was "
+                "not steady in %llu\n",
                 static_cast<unsigned long long>(tally_.trials), static_cast<unsigned long long>(settings_.first), elapsed(),
-                tally_.findings, static_cast<unsigned long long>(tally_.native_crashes),
+                tally_.findings, static_cast<unsigned long long>(tally_.corrected), static_cast<unsigned long long>(tally_.with_corrected),
+                static_cast<unsigned long long>(tally_.native_crashes),
                 static_cast<unsigned long long>(tally_.unsteady));
     return tally_.findings == 0 ? 0 : 1;
   }
@@ -60,6 +62,8 @@ class Fuzz {
     Trials ours = run_trials(programs_, true, first, end - first, kind);
     for (std::uint64_t trial = first; trial < end && tally_.findings < settings_.findings; ++trial) {
       ++tally_.trials;
+      tally_.corrected += std::uint64_t(ours[trial].corrected);
+      if (ours[trial].corrected > 0) ++tally_.with_corrected;
       if (native[trial].status != 0) ++tally_.native_crashes;
       else if (!difference(native[trial], ours[trial], kind).empty()) look_at(trial, kind);
     }

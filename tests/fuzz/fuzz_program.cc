@@ -212,7 +212,7 @@ void execute(const Op& op, Player& player) {
     case Step::kNewList: case Step::kEndList: case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists:
     case Step::kGenLists: case Step::kListBase: return execute_list(op, player);
     case Step::kMatrix: case Step::kEnable: case Step::kTexGen: case Step::kTexture: case Step::kLighting: case Step::kRaster:
-    case Step::kPushAttrib: case Step::kPopAttrib: return execute_state(op, player);
+    case Step::kPushAttrib: case Step::kPopAttrib: case Step::kCover: return execute_state(op, player);
     case Step::kPointer: case Step::kClientState: case Step::kDrawArrays: case Step::kDrawElements: case Step::kArrayElement:
     case Step::kInterleaved: case Step::kBuffer: case Step::kMapBuffer: case Step::kVertexArray: case Step::kRestart:
     case Step::kLockArrays: return execute_arrays(op, player);

@@ -25,6 +25,7 @@ class Generator {
     // In Mesa, calls of a family that grow and shrink again in one primitive leave the longer one's components to the
     // shorter, and a quad that is cut is a primitive of its own: a sequence keeps to one size.
     sizes_ = unsigned(random_.below(3)) * kSize;
+    if (kind_ == Kind::kCovered) add(Step::kCover, random_.chance(50));
     const int steps = 3 + random_.below(28);
     for (int i = 0; i < steps && sequence_.size() < 400; ++i) any();
     return std::move(sequence_);
@@ -32,7 +33,7 @@ class Generator {
 
  private:
   void add(Step step, int index = 0, unsigned shape = 0, unsigned warp = 0) {
-    sequence_.push_back({step, std::uint8_t(warp | sizes_), index, shape, random_.next()});
+    sequence_.push_back({step, std::uint16_t(warp | sizes_), index, shape, random_.next()});
   }
 
   unsigned warp() {
@@ -102,7 +103,8 @@ class Generator {
 
   void vertex(GLenum mode, unsigned shape, int i, unsigned warp) {
     // What is first set in the midst of a primitive that is compiled Mesa's lists lose, or give to other vertices.
-    const unsigned kind = warp | (mode == GL_QUAD_STRIP ? kStrip : 0u) | (various_ ? kVarious : 0u) | (depth_ > 0 ? kOneSlot : 0u);
+    const unsigned kind = warp | (mode == GL_QUAD_STRIP ? kStrip : 0u) | (various_ ? kVarious : 0u) | (depth_ > 0 ? kOneSlot : 0u) |
+                          (kind_ == Kind::kCovered ? kExact : 0u);
     if (!random_.chance(skip_texture_)) add(Step::kTexCoord, i, shape, kind);
     if (depth_ > 0 && coloured_) add(Step::kAttribute, 0, 0, kOneSlot);
     if (depth_ == 0 && various_ && kind_ != Kind::kCovered && random_.chance(30)) add(random_.chance(85) ? Step::kAttribute : Step::kMaterial);

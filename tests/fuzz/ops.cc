@@ -23,7 +23,7 @@ bool read(const std::string& path, std::vector<Sequence>& sequences) {
       Op op;
       if (!(file >> step >> warp >> op.index >> op.shape >> op.seed) || step < 0 || step >= int(Step::kCount)) return false;
       op.step = Step(step);
-      op.warp = std::uint8_t(warp);
+      op.warp = std::uint16_t(warp);
       sequence.push_back(op);
     }
   }

@@ -15,7 +15,8 @@ namespace truequad::fuzz {
   X(Lighting, 16) X(Raster, 50) X(PushAttrib, 16) X(PopAttrib, 20) X(RenderMode, 8) X(Names, 4)                \
   X(Evaluator, 10) X(Rect, 16) X(Clear, 8) X(Pixels, 6) X(Context, 3) X(Query, 6) X(Program, 3)                \
   X(Pointer, 30) X(ClientState, 20) X(DrawArrays, 30) X(DrawElements, 30) X(ArrayElement, 8)                   \
-  X(Interleaved, 6) X(Buffer, 24) X(MapBuffer, 8) X(VertexArray, 5) X(Restart, 4) X(LockArrays, 3)
+  X(Interleaved, 6) X(Buffer, 24) X(MapBuffer, 8) X(VertexArray, 5) X(Restart, 4) X(LockArrays, 3)                      \
+  X(Cover, 0)
 
 enum class Step : std::uint8_t {
 #define X(name, weight) k##name,
@@ -24,18 +25,23 @@ enum class Step : std::uint8_t {
   kCount
 };
 
+// Steps that make a comparison sound are the first ones of a sequence, and stay when it is shrunk.
+inline constexpr bool stays(Step step) { return step == Step::kCover; }
+
 // What of a shape is not affine.
 enum Warp : std::uint8_t { kFlat = 0, kWarpPosition = 1, kWarpTexture = 2, kWarpDepth = 4 };
 
 // Other bits of Op::warp.
-inline constexpr std::uint8_t kStrip = 8, kVarious = 16;  // the shape is a strip; any entry point may be used
-inline constexpr std::uint8_t kOneSlot = 32;  // but always for the same piece of state: texture unit 0, the colour
+inline constexpr unsigned kStrip = 8, kVarious = 16;  // the shape is a strip; any entry point may be used
+inline constexpr unsigned kOneSlot = 32;  // but always for the same piece of state: texture unit 0, the colour
 // How many numbers calls of a sequence give: two, three or four.
-inline constexpr std::uint8_t kSize = 64;
+inline constexpr unsigned kSize = 64;
+// Positions are just the shape's: no call that gives others of the same numbers, and none that is not finite.
+inline constexpr unsigned kExact = 256;
 
 struct Op {
   Step step;
-  std::uint8_t warp;       // Warp and other bits
+  std::uint16_t warp;      // Warp and other bits
   std::int32_t index;      // corner of the shape, mode, name …
   std::uint32_t shape;
   std::uint64_t seed;
