@@ -187,8 +187,14 @@ Reason correct(Capture& c, const Quad& quad, SlotMask warped, bool colours) {
   PlannedFor sets = own_sets(c, quad);
   if (before) {
     plan_for(c, quad, *before);
-    if (!same_sets(sets, *before)) {
+    if (same_sets(sets, *before)) {
+      c.drawn->meet_wish(positions);
+    } else {
       bound_for(c, quad, sets);
+      if (plan.capped && c.drawn->wish_is_stale(positions)) {
+        sets.key = positions;
+        c.drawn->want_mesh(sets);
+      }
     }
     draw(c, quad, sets.units);
     return Reason::kNone;
@@ -213,6 +219,7 @@ Reason correct(Capture& c, const Quad& quad, SlotMask warped, bool colours) {
     sets = *wanted;
     plan_for(c, quad, sets);
     if (plan.action != Action::kMesh) return reason;
+    c.drawn->use_wish(positions);
     bound_for(c, quad, own_sets(c, quad));
   }
   if (plan.action == Action::kMesh && c.view.meets_later && memory_of(c)) {

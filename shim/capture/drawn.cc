@@ -1,5 +1,6 @@
 #include "capture/drawn.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstdlib>
@@ -85,9 +86,30 @@ const PlannedFor* Drawn::mesh(PassKey key) const {
 }
 
 void Drawn::want_mesh(const PlannedFor& sets) {
+  Wish* place = find_wish(sets.key);
+  if (!place) {
+    Wish* const first = wishes_ + sets.key % kWishes / kWays * kWays;
+    place = std::min_element(first, first + kWays, [](const Wish& a, const Wish& b) { return a.used < b.used; });
+    // Another's that is met frame by frame: if each took the place from the other, each were a mesh in every second frame.
+    if (place->used != 0 && generation_ - place->used <= kPatience) return;
+  }
   wanted_ = true;
-  wanted_keys_[sets.key % kWantedMeshes] = sets.key;
-  wanted_of_[sets.key % kWantedMeshes] = sets;
+  *place = {sets.key, generation_, generation_};
+  wanted_of_[place - wishes_] = sets;
+}
+
+void Drawn::use_wish(PassKey positions) {
+  if (Wish* const wish = find_wish(positions)) wish->used = generation_;
+}
+
+void Drawn::meet_wish(PassKey positions) {
+  if (!wanted_) return;
+  if (Wish* const wish = find_wish(positions)) wish->met = generation_;
+}
+
+bool Drawn::wish_is_stale(PassKey positions) const {
+  const Wish* const wish = wanted_ ? find_wish(positions) : nullptr;
+  return wish && generation_ - wish->met > kPatience;
 }
 
 bool passes_meet() { return passes_may_meet.load(std::memory_order_relaxed); }

@@ -84,33 +84,53 @@ class Drawn {
   void keep_mesh(PassKey positions, const PlannedFor& sets);
   const PlannedFor* mesh(PassKey key) const;
 
-  // A quad stayed two triangles because an earlier pass had drawn them: from the next frame on the earlier pass draws
-  // the mesh. `sets.key` is that of the positions.
+  // A quad stayed two triangles because an earlier pass had drawn them, or got a mesh that is not fine enough: from the next
+  // frame on the earlier pass draws the mesh that is wanted here. `sets.key` is that of the positions. Forgotten at once if
+  // there is no room.
   void want_mesh(const PlannedFor& sets);
   const PlannedFor* wanted(PassKey positions) const {
-    const unsigned place = positions % kWantedMeshes;
-    return wanted_ && wanted_keys_[place] == positions ? &wanted_of_[place] : nullptr;
+    const Wish* const wish = wanted_ ? find_wish(positions) : nullptr;
+    return wish ? &wanted_of_[wish - wishes_] : nullptr;
   }
+  // The earlier pass drew what is wanted; the pass that wanted it drew it.
+  void use_wish(PassKey positions);
+  void meet_wish(PassKey positions);
+  // What is wanted was drawn for a pass that came no more: coordinates move, say.
+  bool wish_is_stale(PassKey positions) const;
 
  private:
-  static constexpr unsigned kMeshes = 1 << 14, kWays = 4, kWantedMeshes = 1 << 12;
+  static constexpr unsigned kMeshes = 1 << 14, kWays = 4, kWishes = 1 << 14;
   struct Slot {
     PassKey key;
     std::uint64_t generation;  // another than the present: free
+  };
+  // Two clears or three may be a frame's.
+  static constexpr std::uint64_t kPatience = 8;
+  struct Wish {
+    PassKey key;
+    std::uint64_t used, met;  // generations; 0: free
   };
   struct Place {
     unsigned index;
     bool found, free;
   };
   Place find(PassKey key) const;
+  const Wish* find_wish(PassKey key) const {
+    const Wish* const first = wishes_ + key % kWishes / kWays * kWays;
+    for (const Wish* wish = first; wish < first + kWays; ++wish) {
+      if (wish->key == key && wish->used != 0) return wish;
+    }
+    return nullptr;
+  }
+  Wish* find_wish(PassKey key) { return const_cast<Wish*>(static_cast<const Drawn*>(this)->find_wish(key)); }
 
   std::uint64_t generation_;
   bool wanted_;
   KeySet<1 << 17> mesh_positions_;
   KeySet<1 << 22> triangles_;
   Slot slots_[kMeshes];
-  PassKey wanted_keys_[kWantedMeshes];
-  PlannedFor mesh_of_[kMeshes], wanted_of_[kWantedMeshes];
+  Wish wishes_[kWishes];
+  PlannedFor mesh_of_[kMeshes], wanted_of_[kWishes];
 };
 
 // True once the program has asked for a depth function or stencil operation with which passes meet: from then on what

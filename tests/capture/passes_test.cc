@@ -206,6 +206,61 @@ TEST_F(Passes, AFullMemoryLosesNothing) {
   }
 }
 
+// Wishes that share a place in memory must not take it from each other frame by frame: quads would be corrected in turn.
+TEST_F(Passes, ThousandsOfWishesAreMetFrameByFrame) {
+  delete_thread_memory();
+  gl().logging = false;
+  depth(doors(), GL_LEQUAL);
+  constexpr int kQuads = 2'000;
+  const auto quad = [](int i) {
+    UnitPatch patch = kTrapezoid;
+    patch.corner[0].x = -0.9f + 1e-5f * float(i);
+    return patch;
+  };
+  std::vector<bool> as_mesh[3];
+  for (std::vector<bool>& frame : as_mesh) {
+    doors().Clear(GL_DEPTH_BUFFER_BIT);
+    depth(doors(), GL_LEQUAL);
+    for (int i = 0; i < kQuads; ++i) untextured(doors(), quad(i));
+    depth(doors(), GL_EQUAL);
+    for (int i = 0; i < kQuads; ++i) {
+      const std::uint64_t before = corrected();
+      textured(doors(), quad(i));
+      frame.push_back(corrected() > before);
+    }
+  }
+  EXPECT_EQ(std::count(as_mesh[0].begin(), as_mesh[0].end(), true), 0);
+  // Few find no room.
+  EXPECT_GT(std::count(as_mesh[1].begin(), as_mesh[1].end(), true), kQuads * 99 / 100);
+  EXPECT_EQ(as_mesh[1], as_mesh[2]);
+}
+
+// Coordinates that move from frame to frame: the earlier pass, which has none, follows.
+TEST_F(Passes, AWishFollowsTheLaterPass) {
+  delete_thread_memory();
+  const auto capped = [] { return counters().capped.get(); };
+  const auto later = [](const Driver& gl, float size) {
+    constexpr float kS[] = {0, 1, 1, 0}, kT[] = {0, 0, 1, 1};
+    gl.Begin(GL_QUADS);
+    for (int i = 0; i < 4; ++i) {
+      gl.TexCoord2f(i == 2 ? size : kS[i], i == 2 ? size : kT[i]);
+      gl.Vertex2f(kTrapezoid.corner[i].x, kTrapezoid.corner[i].y);
+    }
+    gl.End();
+  };
+  std::uint64_t before = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    if (frame == 30) before = capped();
+    doors().Clear(GL_DEPTH_BUFFER_BIT);
+    depth(doors(), GL_LEQUAL);
+    untextured(doors());
+    depth(doors(), GL_EQUAL);
+    // Another patch from the tenth frame on.
+    later(doors(), frame < 10 ? 1 : 2);
+  }
+  EXPECT_EQ(capped(), before);
+}
+
 TEST(KeySets, NeverForgetAndSeldomInvent) {
   const auto set = std::make_unique<KeySet<1 << 22>>();
   set->clear();

@@ -9,6 +9,11 @@ namespace truequad::images {
 // What carries them, one picture each.
 enum ColourKind { kPrimary, kSecondary, kFog, kEmission, kColourKinds };
 
+// Whose vertices carry them: a second pass is planned for by its positions, so that each kind has its own.
+inline unsigned scene_seed(unsigned seed, ColourKind kind, bool second_pass) {
+  return second_pass ? seed + 1000 * unsigned(kind) : seed;
+}
+
 // Components of one vertex; alpha, where it is drawn, tells covered pixels. Fog has the first alone.
 inline std::array<float, 4> vertex_colour(unsigned seed, unsigned primitive, unsigned vertex) {
   std::mt19937 engine(seed * 7919 + primitive * 131 + vertex);

@@ -1,10 +1,12 @@
-// draw_colours_API FAMILY FIRST COUNT WIDTH HEIGHT FILE: draws the scenes of COUNT seeds, a colour at each vertex, and
-// writes the raw pictures: one for each ColourKind. A program like any other, which knows nothing of truequad.
+// draw_colours_API [passes:]FAMILY FIRST COUNT WIDTH HEIGHT FILE: draws the scenes of COUNT seeds, a colour at each vertex, and
+// writes the raw pictures: one for each ColourKind. With `passes:` the colours are a second pass by GL_EQUAL over the same
+// vertices without them, and the picture is that of the second frame. A program like any other, which knows nothing of truequad.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 #include "canvas.h"
@@ -28,18 +30,13 @@ void give(ColourKind kind, const std::array<float, 4>& colour) {
 
 void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
-void draw(const Scene& scene, unsigned seed, ColourKind kind) {
-  glViewport(scene.viewport[0], scene.viewport[1], scene.viewport[2], scene.viewport[3]);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glMatrixMode(GL_PROJECTION);
-  glLoadMatrixf(scene.projection.data());
-  glMatrixMode(GL_MODELVIEW);
-  glLoadMatrixf(scene.modelview.data());
-  enable(GL_COLOR_SUM, kind == kSecondary);
-  enable(GL_FOG, kind == kFog);
-  enable(GL_LIGHTING, kind == kEmission);
+void send(const Scene& scene, unsigned seed, ColourKind kind, bool coloured) {
   // Textured in one half of the pictures, with coordinates that need correction too.
-  enable(GL_TEXTURE_2D, kind >= kFog);
+  const bool textured = coloured && kind >= kFog;
+  enable(GL_COLOR_SUM, coloured && kind == kSecondary);
+  enable(GL_FOG, coloured && kind == kFog);
+  enable(GL_LIGHTING, coloured && kind == kEmission);
+  enable(GL_TEXTURE_2D, textured);
   glColor4f(0, 0, 0, 1);
   for (unsigned p = 0; p < scene.primitives.size(); ++p) {
     constexpr GLenum kModes[] = {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON};
@@ -47,20 +44,44 @@ void draw(const Scene& scene, unsigned seed, ColourKind kind) {
     glBegin(kModes[int(primitive.mode)]);
     for (unsigned i = 0; i < primitive.vertices.size(); ++i) {
       const Vertex& v = primitive.vertices[i];
-      give(kind, vertex_colour(seed, p, i));
-      if (kind >= kFog) glTexCoord2fv(v.texture.data());
+      if (coloured) give(kind, vertex_colour(seed, p, i));
+      if (textured) glTexCoord2fv(v.texture.data());
       glVertex4fv(v.position.data());
     }
     glEnd();
   }
 }
 
+void draw(const Scene& scene, unsigned seed, ColourKind kind, bool passes) {
+  glViewport(scene.viewport[0], scene.viewport[1], scene.viewport[2], scene.viewport[3]);
+  glMatrixMode(GL_PROJECTION);
+  glLoadMatrixf(scene.projection.data());
+  glMatrixMode(GL_MODELVIEW);
+  glLoadMatrixf(scene.modelview.data());
+  for (int frame = 0; frame < (passes ? 2 : 1); ++frame) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    enable(GL_DEPTH_TEST, passes);
+    if (passes) {
+      glDepthFunc(GL_LESS);
+      glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      send(scene, seed, kind, false);
+      glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      glDepthFunc(GL_EQUAL);
+    }
+    send(scene, seed, kind, true);
+  }
+}
+
 int run(int count, char** arguments) {
   if (count != 7) {
-    std::fprintf(stderr, "usage: %s FAMILY FIRST COUNT WIDTH HEIGHT FILE\n", arguments[0]);
+    std::fprintf(stderr, "usage: %s [passes:]FAMILY FIRST COUNT WIDTH HEIGHT FILE\n", arguments[0]);
     return 2;
   }
-  const Family& scenes = family(arguments[1]);
+  std::string_view name = arguments[1];
+  constexpr std::string_view kSecondPasses = "passes:";
+  const bool passes = name.starts_with(kSecondPasses);
+  if (passes) name.remove_prefix(kSecondPasses.size());
+  const Family& scenes = family(name);
   const unsigned first = unsigned(std::atoi(arguments[2])), seeds = unsigned(std::atoi(arguments[3]));
   const int width = std::atoi(arguments[4]), height = std::atoi(arguments[5]);
   std::FILE* file = std::fopen(arguments[6], "wb");
@@ -89,9 +110,9 @@ int run(int count, char** arguments) {
   bool written = std::fwrite(&header, sizeof header, 1, file) == 1;
   std::vector<unsigned char> pixels(picture_bytes(header));
   for (unsigned seed = first; seed < first + seeds; ++seed) {
-    const Scene scene = scenes.make(seed, width, height);
     for (int kind = 0; kind < kColourKinds; ++kind) {
-      draw(scene, seed, ColourKind(kind));
+      const Scene scene = scenes.make(scene_seed(seed, ColourKind(kind), passes), width, height);
+      draw(scene, seed, ColourKind(kind), passes);
       glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
       written = written && std::fwrite(pixels.data(), pixels.size(), 1, file) == 1;
     }

@@ -112,6 +112,14 @@ void depth_clamp(const Shape& shape, const std::string& name) {
   glDisable(GL_DEPTH_CLAMP);
 }
 
+// With TRUEQUAD_COLOR=1 a pass may need a mesh for its colours alone. Two frames: what was two triangles in the first may be a
+// mesh in the second.
+template <Pass first, Pass... later>
+void colour_passes(const Shape& shape, const std::string& name) {
+  passes<first, later...>(shape, name);
+  passes<first, later...>(shape, name + " again");
+}
+
 void clip_plane(const Shape& shape, const std::string& name) {
   begin_frame(shape);
   const GLdouble plane[] = {0.6, 0.8, 0.1, 0.2};
@@ -183,6 +191,18 @@ const std::vector<PassesCase>& depth_cases() {
       {"alpha_grating", alpha_grating},
       {"depth_clamp", depth_clamp},
       {"clip_plane", clip_plane},
+      {"colours_then_plain",
+       colour_passes<Pass{.kinked = true}, Pass{.depth = GL_EQUAL, .channel = 1}>},
+      {"plain_then_colours", colour_passes<Pass{}, Pass{.depth = GL_EQUAL, .channel = 1, .kinked = true}>},
+      {"colours_then_texture",
+       colour_passes<Pass{.kinked = true}, Pass{.coordinates = C::kTwisted, .depth = GL_EQUAL, .channel = 1}>},
+      {"texture_then_colours",
+       colour_passes<kFirst, Pass{.depth = GL_EQUAL, .channel = 1, .kinked = true}>},
+      {"colours_then_both", colour_passes<Pass{.kinked = true}, Pass{.coordinates = C::kWarped, .depth = GL_EQUAL, .channel = 1,
+                                                                    .kinked = true}>},
+      {"prepass_colours",
+       colour_passes<Pass{.channel = kUnseen}, Pass{.depth = GL_EQUAL, .channel = 1, .kinked = true}>},
+      {"colours_arrays", colour_passes<Pass{.kinked = true}, Pass{.depth = GL_EQUAL, .channel = 1, .way = Way::kArrays, .kinked = true}>},
   };
   return cases;
 }

@@ -19,7 +19,15 @@ std::array<float, 2> coordinates_of(Coordinates kind, const Vertex& v) {
   }
 }
 
-void send(const Vertex& v, const Pass& pass) {
+// The pass's touch, with the alpha of the vertex of this number.
+std::array<GLubyte, 4> kinked_colour(const Pass& pass, std::size_t number) {
+  std::array<GLubyte, 4> colour{0, 0, 0, GLubyte(number * 59 % 4 * 20)};
+  if (pass.channel != kUnseen) colour[std::size_t(pass.channel)] = kTouch;
+  return colour;
+}
+
+void send(const Vertex& v, const Pass& pass, std::size_t number) {
+  if (pass.kinked) glColor4ubv(kinked_colour(pass, number).data());
   if (pass.coordinates != Coordinates::kNone) {
     const auto t = coordinates_of(pass.coordinates, v);
     if (pass.way == Way::kDoubles)
@@ -42,7 +50,15 @@ void send(const Vertex& v, const Pass& pass) {
 
 void send_arrays(const Primitive& primitive, const Pass& pass) {
   std::vector<std::array<float, 2>> texture;
-  for (const Vertex& v : primitive.vertices) texture.push_back(coordinates_of(pass.coordinates, v));
+  std::vector<std::array<GLubyte, 4>> colours;
+  for (const Vertex& v : primitive.vertices) {
+    texture.push_back(coordinates_of(pass.coordinates, v));
+    colours.push_back(kinked_colour(pass, colours.size()));
+  }
+  if (pass.kinked) {
+    glEnableClientState(GL_COLOR_ARRAY);
+    glColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
+  }
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(3, GL_FLOAT, sizeof(Vertex), primitive.vertices.data()->position.data());
   if (pass.coordinates != Coordinates::kNone) {
@@ -52,6 +68,7 @@ void send_arrays(const Primitive& primitive, const Pass& pass) {
   glDrawArrays(primitive.mode, 0, GLsizei(primitive.vertices.size()));
   glDisableClientState(GL_VERTEX_ARRAY);
   glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+  glDisableClientState(GL_COLOR_ARRAY);
 }
 
 void texturing(GLenum unit, Coordinates coordinates) {
@@ -104,7 +121,7 @@ void send(const Shape& shape, const Pass& pass) {
         glEnd();
         glBegin(primitive.mode);
       }
-      send(primitive.vertices[i], pass);
+      send(primitive.vertices[i], pass, i);
     }
     glEnd();
   }

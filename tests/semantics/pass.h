@@ -27,6 +27,7 @@ struct Pass {
   GLenum depth = GL_LESS;
   int channel = 0;  // 0 red, 1 green, 2 blue; kUnseen: the colour mask is off
   Way way = Way::kOneBegin;
+  bool kinked = false;  // an alpha for each vertex, which no map of the position makes
 };
 inline constexpr int kUnseen = -1;
 

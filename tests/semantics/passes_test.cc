@@ -164,9 +164,9 @@ std::string shape_of(const std::string& picture) { return picture.substr(0, pict
 
 // `folded`: judges that shape alone, else all others.
 void expect_passes_kept(const Expected& expected, const std::string& interface, unsigned seeds,
-                        const std::string& mode = "bilinear", bool folded = false) {
+                        const std::string& mode = "bilinear", bool folded = false, bool color = false) {
   const Job job{interface, expected.scene, 0, seeds};
-  const Outcome native = run_natively(job), seen = run_with_truequad(job, mode);
+  const Outcome native = run_natively(job), seen = run_with_truequad(job, mode, color);
   ASSERT_FALSE(native.records.empty() || seen.records.empty());
   ASSERT_EQ(native.records.size(), seen.records.size());
   EXPECT_GT(seen.corrected, 0);
@@ -216,6 +216,16 @@ std::vector<Expected> some(const std::vector<std::string>& scenes) {
   }
   return result;
 }
+
+// Passes that need a mesh for their colours, with TRUEQUAD_COLOR=1.
+const std::vector<Expected> kColoured = {
+    {"colours_then_plain", 0, {1}, {2}},   {"plain_then_colours", 0, {1}, {2}}, {"colours_then_texture", 0, {1}, {2}},
+    {"texture_then_colours", 0, {1}, {2}}, {"colours_then_both", 0, {1}, {2}},  {"prepass_colours", 1, {}, {0, 2}},
+    {"colours_arrays", 0, {1}, {2}},
+};
+class Coloured : public testing::TestWithParam<Expected> {};
+TEST_P(Coloured, LoseAndDoubleNoPixel) { expect_passes_kept(GetParam(), "osmesa", 3, "bilinear", false, true); }
+INSTANTIATE_TEST_SUITE_P(Later, Coloured, testing::ValuesIn(kColoured), scene_of);
 
 // Surfaces whose picture is not convex, where the bilinear surface covers other pixels than two triangles.
 class Folded : public testing::TestWithParam<Expected> {};
