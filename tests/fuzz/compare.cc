@@ -1,83 +1,16 @@
 #include "compare.h"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace truequad::fuzz {
 namespace {
-
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
-}
-
-// What was written for each trial. Statistics of a process that was forked lie beside its parent's.
-Trials divide(const std::string& text, const std::string& statistics) {
-  Trials trials;
-  Seen* seen = nullptr;
-  for (const std::string& line : lines_of(text)) {
-    int process = 0;
-    if (line.rfind("trial ", 0) == 0) {
-      seen = &trials[std::strtoull(line.c_str() + 6, nullptr, 10)];
-      seen->status = 128;  // of a program that did not come to say it
-    } else if (seen && std::sscanf(line.c_str(), "process %d %d", &process, &seen->status) == 2) {
-      const std::string path = statistics + "." + std::to_string(process);
-      const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
-      if (json.is_object()) seen->corrected = json.value("corrected", 0L);
-      ::unlink(path.c_str());
-    } else if (seen) {
-      seen->text += line + "\n";
-    }
-  }
-  return trials;
-}
-
-Trials run(const Programs& programs, bool with_truequad, const std::vector<std::string>& words, Kind kind, bool dirty = false) {
-  const std::string statistics = programs.scratch + "/statistics";
-  int ends[2];
-  if (::pipe(ends) != 0) std::abort();
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::dup2(ends[1], STDOUT_FILENO);
-    ::close(ends[0]), ::close(ends[1]);
-    // A driver without compiled shaders: contexts and first calls cost less, and it has one thread.
-    ::setenv("GALLIUM_DRIVER", "softpipe", 1);
-    ::setenv("DRAW_USE_LLVM", "0", 1);
-    ::setenv("ASAN_OPTIONS", "detect_leaks=0:verify_asan_link_order=0", 0);
-    if (dirty) ::setenv("MALLOC_PERTURB_", "165", 1);
-    if (with_truequad) {
-      ::setenv("LD_PRELOAD", programs.preload.c_str(), 1);
-      ::setenv("TRUEQUAD_STATS", statistics.c_str(), 1);
-      if (kind == Kind::kWarped) ::setenv("TRUEQUAD_TOLERANCE", "1000000", 1);
-    }
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    ::execv(arguments[0], arguments.data());
-    ::_exit(99);
-  }
-  ::close(ends[1]);
-  std::string text;
-  char buffer[1 << 16];
-  for (ssize_t got; (got = ::read(ends[0], buffer, sizeof buffer)) > 0;) text.append(buffer, std::size_t(got));
-  ::close(ends[0]);
-  ::waitpid(child, nullptr, 0);
-  return divide(text, statistics);
 }
 
 bool may_differ(const std::string& line, Kind kind, bool corrected) {
@@ -90,19 +23,6 @@ bool may_differ(const std::string& line, Kind kind, bool corrected) {
 }
 
 }  // namespace
-
-Trials run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind) {
-  return run(programs, with_truequad, {programs.program, "--trials", std::to_string(first), std::to_string(count)}, kind);
-}
-
-Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind, bool print,
-                     bool dirty) {
-  const std::string path = programs.scratch + "/sequences";
-  write(sequences, path);
-  std::vector<std::string> words = {programs.program, "--file", path};
-  if (print) words.push_back("--print");
-  return run(programs, with_truequad, words, kind, dirty);
-}
 
 std::string difference(const Seen& native, const Seen& ours, Kind kind) {
   if (native.status != 0) return "";
@@ -121,11 +41,14 @@ std::string difference(const Seen& native, const Seen& ours, Kind kind) {
 
 std::string finding(const Programs& programs, const Sequence& sequence, Kind kind) {
   const Seen ours = run_sequences(programs, true, {sequence}, kind)[0];
-  const Seen native = run_sequences(programs, false, {sequence}, kind)[0];
   // Some sequences give the driver's own memory away only at times.
-  for (int i = 0; i < 6; ++i) {
-    const Seen again = run_sequences(programs, false, {sequence}, kind, false, i % 2 == 0)[0];
-    if (native.text != again.text || native.status != again.status) return "";
+  const std::vector<Sequence> four(4, sequence);
+  const Trials clean = run_sequences(programs, false, four, kind), dirty = run_sequences(programs, false, four, kind, false, true);
+  const Seen& native = clean.at(0);
+  for (const Trials* trials : {&clean, &dirty}) {
+    for (const auto& [number, again] : *trials) {
+      if (native.text != again.text || native.status != again.status) return "";
+    }
   }
   return difference(native, ours, kind);
 }
@@ -137,6 +60,12 @@ Sequence without(const Sequence& sequence, std::size_t from, std::size_t to) {
   Sequence rest(sequence.begin(), sequence.begin() + long(from));
   rest.insert(rest.end(), sequence.begin() + long(std::min(to, sequence.size())), sequence.end());
   return rest;
+}
+
+// What the driver's own memory shows through is no smaller finding.
+bool still_has(const Programs& programs, const Sequence& sequence, Kind kind, const std::string& found) {
+  if (finding(programs, sequence, kind) != found) return false;
+  return run_sequences(programs, true, {sequence}, kind)[0].text == run_sequences(programs, true, {sequence}, kind, false, true)[0].text;
 }
 
 // Which of these seem to have the finding; the driver alone may still not be steady in it.
@@ -163,10 +92,10 @@ Sequence shrink(const Programs& programs, Sequence sequence, Kind kind, const st
     for (std::size_t i = first; i < sequence.size(); ++i) {
       if (!fail[(i - first) / size]) all.push_back(sequence[i]);
     }
-    bool smaller = all.size() < sequence.size() && finding(programs, all, kind) == found;
+    bool smaller = all.size() < sequence.size() && still_has(programs, all, kind, found);
     if (smaller) sequence = all;
     for (std::size_t i = 0; i < candidates.size() && !smaller && Clock::now() < end; ++i) {
-      if (!fail[i] || finding(programs, candidates[i], kind) != found) continue;
+      if (!fail[i] || !still_has(programs, candidates[i], kind, found)) continue;
       sequence = candidates[i];
       smaller = true;
     }

@@ -28,6 +28,9 @@ Trials run_trials(const Programs& programs, bool with_truequad, std::uint64_t fi
 Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind,
                      bool print = false, bool dirty = false);
 
+// Ends the processes that these have started.
+void stop_programs();
+
 // The first word of the first line that differs and may not, or "crash"; empty: nothing, or the driver alone crashed.
 // Where some quad was corrected pixels may differ in any case.
 std::string difference(const Seen& native, const Seen& ours, Kind kind);

@@ -16,6 +16,16 @@ struct Corner {
 };
 Corner corner(std::uint32_t shape, int index, unsigned warp);
 
+// Current values, in groups.
+enum ValueGroup : unsigned { kColours = 1, kTextures = 2, kOtherValues = 4 };
+void set_values(unsigned values);  // execute_arrays.cc
+
+// What is known of a list: the values that it sets outside of glBegin and glEnd, and between them; the lists that it calls.
+struct ListValues {
+  unsigned loose = 0, in_primitives = 0;
+  std::uint32_t called = 0;
+};
+
 // What a step may look at: its own numbers, and what earlier steps of the trial left.
 struct Player {
   GLuint generated[4] = {};  // first names of glGenLists
@@ -23,11 +33,24 @@ struct Player {
   int depth_attrib = 0;
   int context = 0;
   bool listing = false;  // a list may be being compiled
+  static constexpr int kLists = 32;
+  ListValues lists[kLists];      // by name; 0: all others
+  ListValues* compiled = nullptr;
+  bool executed = false;         // as it is compiled
+  bool in_primitive = false;
   void* mapped = nullptr;
   std::int64_t mapped_size = 0;
 };
 
 void execute(const Op& op, Player& player);
+
+// list_values.cc
+void note_new_list(Player& player, GLuint name, bool executed);
+void note_end_list(Player& player);
+void note_values(Player& player, unsigned values);
+std::uint32_t list_bit(GLuint name);
+void note_call(Player& player, std::uint32_t called);  // bits of lists
+unsigned values_left_open(const Player& player, std::uint32_t called);
 
 // Parts of execute(), a file for each.
 void execute_vertex(const Op& op);       // attributes.cc

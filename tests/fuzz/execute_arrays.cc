@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kVertices = 64;
 constexpr int kSlab = 2048;  // kVertices of the longest type
-constexpr int kTextures = 12 * kSlab, kColors = 24 * kSlab, kInterleaved = 26 * kSlab, kIndices = 28 * kSlab;
+constexpr int kTexturePlaces = 12 * kSlab, kColors = 24 * kSlab, kInterleaved = 26 * kSlab, kIndices = 28 * kSlab;
 constexpr GLsizeiptr kBufferSize = 30 * kSlab;
 constexpr GLenum kTypes[] = {GL_FLOAT, GL_SHORT, GL_INT, GL_DOUBLE};
 constexpr int kTypeSize[] = {4, 2, 4, 8};
@@ -49,7 +49,7 @@ void pointer(const Op& op, Random& random, const Player& player) {
   switch (what) {
     case 0: case 1: GL(VertexPointer, random.chance(2) ? 5 : size, kTypes[type], step, place(slab(type, size))); enabled = GL_VERTEX_ARRAY; break;
     case 2: case 3: case 4:
-      GL(TexCoordPointer, size, kTypes[type], step, place(kTextures + slab(type, size)));
+      GL(TexCoordPointer, size, kTypes[type], step, place(kTexturePlaces + slab(type, size)));
       enabled = GL_TEXTURE_COORD_ARRAY;
       break;
     case 5: GL(ColorPointer, random.of<GLint>({3, 4, 4, GL_BGRA}), GL_UNSIGNED_BYTE, random.of({4, 0}), place(kColors)); enabled = GL_COLOR_ARRAY; break;
@@ -57,7 +57,7 @@ void pointer(const Op& op, Random& random, const Player& player) {
     case 7: GL(NormalPointer, kTypes[type], 0, place(slab(type, 3))); enabled = GL_NORMAL_ARRAY; break;
     case 8: GL(EdgeFlagPointer, 1, place(kColors)); enabled = GL_EDGE_FLAG_ARRAY; break;
     case 9: GL(SecondaryColorPointer, 3, GL_UNSIGNED_BYTE, 4, place(kColors)); enabled = GL_SECONDARY_COLOR_ARRAY; break;
-    case 10: GL(FogCoordPointer, GL_FLOAT, 4, place(kTextures)); enabled = GL_FOG_COORD_ARRAY; break;
+    case 10: GL(FogCoordPointer, GL_FLOAT, 4, place(kTexturePlaces)); enabled = GL_FOG_COORD_ARRAY; break;
     default: {
       const GLuint attribute = GLuint(random.of({0, 1, 8, 9, 99}));
       GL(VertexAttribPointer, attribute, size, kTypes[type], GLboolean(0), 0, place(slab(type, size)));
@@ -124,15 +124,10 @@ void draw_elements(Random& random) {
 
 // "The current values are indeterminate after" a draw from arrays (GL 2.1 section 2.8): in lists Mesa leaves those of the
 // last element.
-void set_current_values() {
-  GL(Color4f, 1.0f, 0.5f, 0.25f, 1.0f);
-  GL(SecondaryColor3f, 0.0f, 0.0f, 0.0f);
-  GL(Normal3f, 0.0f, 0.0f, 1.0f);
-  GL(FogCoordf, 0.0f);
-  GL(EdgeFlag, GLboolean(1));
-  GL(Indexf, 1.0f);
-  for (int unit = 0; unit < kUnits; ++unit) GL(MultiTexCoord4f, GL_TEXTURE0 + GLuint(unit), 0.0f, 0.0f, 0.0f, 1.0f);
-  for (GLuint attribute : {1u, 8u, 9u}) GL(VertexAttrib4f, attribute, 0.0f, 0.0f, 0.0f, 1.0f);
+void set_all_values(Player& player) {
+  constexpr unsigned kAll = kColours | kTextures | kOtherValues;
+  note_values(player, kAll);
+  set_values(kAll);
 }
 
 void buffer(Random& random, Player& player) {
@@ -141,7 +136,7 @@ void buffer(Random& random, Player& player) {
   switch (random.below(9)) {
     case 0: case 1: case 2: GL(BindBuffer, target, name = GLuint(random.below(3))); return GL(BufferData, target, kBufferSize, arena, pick(random, GL_STATIC_DRAW, GL_STREAM_DRAW));
     case 3: return GL(BindBuffer, target, GLuint(random.below(3)));
-    case 4: return GL(BufferSubData, target, random.of<GLintptr>({0, kTextures, 100, -4}), random.of<GLsizeiptr>({64, 512, kBufferSize}), arena + 4 * kSlab);
+    case 4: return GL(BufferSubData, target, random.of<GLintptr>({0, kTexturePlaces, 100, -4}), random.of<GLsizeiptr>({64, 512, kBufferSize}), arena + 4 * kSlab);
     case 5:
       // Arrays in a buffer that is deleted lie in client memory at a small address then, from where Mesa reads.
       name = 3;
@@ -180,6 +175,20 @@ void map_buffer(Random& random, Player& player) {
 
 }  // namespace
 
+void set_values(unsigned values) {
+  if (values & kColours) GL(Color4f, 1.0f, 0.5f, 0.25f, 1.0f);
+  if (values & kTextures) {
+    for (int unit = 0; unit < kUnits; ++unit) GL(MultiTexCoord4f, GL_TEXTURE0 + GLuint(unit), 0.0f, 0.0f, 0.0f, 1.0f);
+  }
+  if (!(values & kOtherValues)) return;
+  GL(SecondaryColor3f, 0.0f, 0.0f, 0.0f);
+  GL(Normal3f, 0.0f, 0.0f, 1.0f);
+  GL(FogCoordf, 0.0f);
+  GL(EdgeFlag, GLboolean(1));
+  GL(Indexf, 1.0f);
+  for (GLuint attribute : {1u, 8u, 9u}) GL(VertexAttrib4f, attribute, 0.0f, 0.0f, 0.0f, 1.0f);
+}
+
 // Arrays that are enabled without a pointer are read from null by Mesa.
 void point_arrays() {
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
@@ -189,14 +198,14 @@ void point_arrays() {
   }
   for (int unit = kUnits - 1; unit >= 0; --unit) {
     gl.ClientActiveTexture(GL_TEXTURE0 + GLuint(unit));
-    gl.TexCoordPointer(2, GL_FLOAT, 0, arena + kTextures);
+    gl.TexCoordPointer(2, GL_FLOAT, 0, arena + kTexturePlaces);
   }
   gl.VertexPointer(2, GL_FLOAT, 0, arena);
   gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, arena + kColors);
   gl.NormalPointer(GL_FLOAT, 0, arena + slab(0, 3));
   gl.EdgeFlagPointer(1, arena + kColors);
   gl.SecondaryColorPointer(3, GL_UNSIGNED_BYTE, 4, arena + kColors);
-  gl.FogCoordPointer(GL_FLOAT, 4, arena + kTextures);
+  gl.FogCoordPointer(GL_FLOAT, 4, arena + kTexturePlaces);
   gl.IndexPointer(GL_FLOAT, 0, arena);
   for (GLuint attribute = 0; attribute < 16; ++attribute) gl.VertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, arena + slab(0, 4));
 }
@@ -209,7 +218,7 @@ void fill_arena() {
         const int position[] = {c.x, c.y, c.z, 1}, texture[] = {c.s, c.t, 0, 1};
         for (int i = 0; i < size; ++i) {
           put_number(slab(type, size) + (vertex * size + i) * kTypeSize[type], type, position[i]);
-          put_number(kTextures + slab(type, size) + (vertex * size + i) * kTypeSize[type], type, texture[i]);
+          put_number(kTexturePlaces + slab(type, size) + (vertex * size + i) * kTypeSize[type], type, texture[i]);
         }
       }
     }
@@ -232,7 +241,7 @@ void execute_arrays(const Op& op, Player& player) {
     case Step::kClientState: return client_state(random);
     case Step::kDrawArrays: case Step::kDrawElements:
       op.step == Step::kDrawArrays ? draw_arrays(random) : draw_elements(random);
-      if (op.index != 0) set_current_values();
+      if (op.index != 0) set_all_values(player);
       return;
     case Step::kArrayElement: return GL(ArrayElement, random.below(34));
     case Step::kInterleaved:

@@ -50,11 +50,22 @@ void execute_list(const Op& op, Player& player) {
     case Step::kNewList: {
       player.listing = true;
       const GLuint name = op.shape || random.chance(85) ? GLuint(1 + op.index) : list_name(random, player);
-      return GL(NewList, name, pick(random, op.warp & 1 ? GL_COMPILE_AND_EXECUTE : GL_COMPILE));
+      const GLenum mode = pick(random, op.warp & 1 ? GL_COMPILE_AND_EXECUTE : GL_COMPILE);
+      if (!player.compiled) note_new_list(player, name, mode == GL_COMPILE_AND_EXECUTE);
+      return GL(NewList, name, mode);
     }
-    case Step::kEndList: player.listing = false; return GL(EndList);
-    case Step::kCallList: return GL(CallList, op.index > 0 ? GLuint(op.index) : list_name(random, player));
-    case Step::kCallLists: return call_lists(random, player);
+    case Step::kEndList:
+      player.listing = false;
+      GL(EndList);
+      return note_end_list(player);
+    case Step::kCallList: {
+      const GLuint name = op.index > 0 ? GLuint(op.index) : list_name(random, player);
+      GL(CallList, name);
+      return note_call(player, list_bit(name));
+    }
+    case Step::kCallLists:
+      call_lists(random, player);
+      return note_call(player, ~0u);
     case Step::kDeleteLists: {
       const int count = random.of({1, 1, 1, 2, 3, 0, -1});
       return GL(DeleteLists, list_name(random, player), count);

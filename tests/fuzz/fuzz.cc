@@ -108,6 +108,7 @@ int main(int count, char** arguments) {
   }
   if (!::mkdtemp(scratch.data())) return 70;
   const int status = Fuzz({FUZZ_PROGRAM, TRUEQUAD_PRELOAD, scratch}, settings).run();
+  stop_programs();
   std::filesystem::remove_all(scratch);
   return status;
 }

@@ -1,5 +1,6 @@
 // fuzz_program --trials FIRST COUNT [--print]: runs the sequences of trials on OSMesa, each in a process of its own.
 // fuzz_program --file FILE [--print]: runs those that a file has. --print: says their calls and every answer.
+// fuzz_program --serve: does what the lines of standard input say in these words, and writes "end" after each.
 // A program like any other, which knows nothing of truequad. What it sees is written to standard output.
 #include "execute.h"
 
@@ -11,6 +12,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+#include <string>
 
 extern "C" {
 struct osmesa_context;
@@ -153,30 +158,46 @@ void run_apart(std::uint64_t trial, const Sequence& sequence) {
   std::printf("process %d %d\n", int(child), WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state));
 }
 
-int main(int count, char** arguments) {
-  static char buffer[1 << 16];
-  std::setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
-  if (count > 3 && !std::strcmp(arguments[count - 1], "--print")) {
-    --count;
-    std::setvbuf(stdout, nullptr, _IONBF, 0);
-    printing = verbose = true;
+// False: the words are not understood.
+bool run_words(const std::vector<std::string>& words) {
+  printing = verbose = words.size() > 2 && words.back() == "--print";
+  std::setvbuf(stdout, nullptr, printing ? _IONBF : _IOFBF, printing ? 0 : 1 << 16);
+  const std::size_t count = words.size() - printing;
+  if (count == 2 && words[0] == "--file") {
+    std::vector<Sequence> sequences;
+    if (!read(words[1], sequences)) return false;
+    for (std::size_t i = 0; i < sequences.size(); ++i) run_apart(i, sequences[i]);
+    return true;
   }
+  if (count == 3 && words[0] == "--trials") {
+    const std::uint64_t first = std::stoull(words[1]), trials = std::stoull(words[2]);
+    for (std::uint64_t trial = first; trial < first + trials; ++trial) run_apart(trial, generate(trial, kind_of(trial)));
+    return true;
+  }
+  return false;
+}
+
+int serve() {
+  for (std::string line; std::getline(std::cin, line);) {
+    std::istringstream stream(line);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    if (!run_words(words)) return 2;
+    std::puts("end");
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+int main(int count, char** arguments) {
   load_gl();
   fill_arena();
   create_contexts();
   find_names();
-  if (count == 3 && !std::strcmp(arguments[1], "--file")) {
-    std::vector<Sequence> sequences;
-    if (!read(arguments[2], sequences)) return 2;
-    for (std::size_t i = 0; i < sequences.size(); ++i) run_apart(i, sequences[i]);
-  } else if (count == 4 && !std::strcmp(arguments[1], "--trials")) {
-    const std::uint64_t first = std::strtoull(arguments[2], nullptr, 10), trials = std::strtoull(arguments[3], nullptr, 10);
-    for (std::uint64_t trial = first; trial < first + trials; ++trial) run_apart(trial, generate(trial, kind_of(trial)));
-  } else {
-    std::fprintf(stderr, "usage: %s --trials FIRST COUNT [--print] | --file FILE [--print]\n", arguments[0]);
-    return 2;
-  }
-  return 0;
+  const std::vector<std::string> words(arguments + 1, arguments + count);
+  if (words == std::vector<std::string>{"--serve"}) return serve();
+  if (run_words(words)) return 0;
+  std::fprintf(stderr, "usage: %s --trials FIRST COUNT [--print] | --file FILE [--print] | --serve\n", arguments[0]);
+  return 2;
 }
 
 }  // namespace
@@ -204,10 +225,13 @@ void record_errors() {
 
 void execute(const Op& op, Player& player) {
   switch (op.step) {
-    case Step::kBegin: return GL(Begin, GLenum(op.index));
-    case Step::kEnd: return GL(End);
-    case Step::kVertex: case Step::kTexCoord: return execute_vertex(op);
-    case Step::kAttribute: return execute_attribute(op);
+    case Step::kBegin: player.in_primitive = true; return GL(Begin, GLenum(op.index));
+    case Step::kEnd: player.in_primitive = false; return GL(End);
+    case Step::kTexCoord: note_values(player, kTextures); return execute_vertex(op);
+    case Step::kVertex: return execute_vertex(op);
+    case Step::kAttribute:
+      note_values(player, op.warp & kOneSlot ? kColours : kColours | kTextures | kOtherValues);
+      return execute_attribute(op);
     case Step::kMaterial: return execute_material(op);
     case Step::kNewList: case Step::kEndList: case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists:
     case Step::kGenLists: case Step::kListBase: return execute_list(op, player);

@@ -1,0 +1,57 @@
+// Which current values a list leaves as Mesa has them rather than OpenGL: an attribute that a list sets outside of glBegin and
+// glEnd is still in force after a primitive of the list set it again (README.md). The sequence sets these anew, so that what
+// follows is defined.
+#include "execute.h"
+
+namespace truequad::fuzz {
+namespace {
+
+int place_of_list(GLuint name) { return name < Player::kLists ? int(name) : 0; }
+
+}  // namespace
+
+void note_new_list(Player& player, GLuint name, bool executed) {
+  player.compiled = &player.lists[place_of_list(name)];
+  *player.compiled = {};
+  player.executed = executed;
+  player.in_primitive = false;
+}
+
+void note_values(Player& player, unsigned values) {
+  if (!player.compiled) return;
+  (player.in_primitive ? player.compiled->in_primitives : player.compiled->loose) |= values;
+}
+
+void note_call(Player& player, std::uint32_t called) {
+  if (player.compiled) player.compiled->called |= called;
+  if (player.compiled && !player.executed) return;
+  const unsigned open = values_left_open(player, called);
+  note_values(player, open);
+  set_values(open);
+}
+
+std::uint32_t list_bit(GLuint name) { return 1u << place_of_list(name); }
+
+// Of these lists, and of all that they call.
+unsigned values_left_open(const Player& player, std::uint32_t called) {
+  for (std::uint32_t before = 0; before != called;) {
+    before = called;
+    for (int i = 0; i < Player::kLists; ++i) {
+      if (called >> i & 1) called |= player.lists[i].called;
+    }
+  }
+  unsigned loose = 0, in_primitives = 0;
+  for (int i = 0; i < Player::kLists; ++i) {
+    if (called >> i & 1) loose |= player.lists[i].loose, in_primitives |= player.lists[i].in_primitives;
+  }
+  return loose & in_primitives;
+}
+
+void note_end_list(Player& player) {
+  if (!player.compiled) return;
+  const std::uint32_t list = 1u << (player.compiled - player.lists);
+  player.compiled = nullptr;
+  if (player.executed) set_values(values_left_open(player, list));
+}
+
+}  // namespace truequad::fuzz
