@@ -41,7 +41,7 @@ bool materials_have_current_colour(const Driver& driver) {
 
 // A draw that GL calls an error, or that draws nothing.
 bool is_void(const ArrayDraw& draw) {
-  if (draw.primitives <= 0 || draw.instances <= 0 || !draw.count) return true;
+  if (draw.primitives <= 0 || draw.instances.count <= 0 || !draw.count) return true;
   if (draw.type != 0 && (index_bytes(draw.type) == 0 || !draw.indices || draw.least > draw.most)) return true;
   bool any = false;
   for (GLsizei i = 0; i < draw.primitives; ++i) {
@@ -55,7 +55,7 @@ bool is_void(const ArrayDraw& draw) {
 std::uint64_t count_quads(const ArrayDraw& draw) {
   std::uint64_t quads = 0;
   for (GLsizei i = 0; i < draw.primitives; ++i) quads += std::uint64_t(quads_in(draw.mode, draw.count[i]));
-  return quads * std::uint64_t(draw.instances);
+  return quads * std::uint64_t(draw.instances.count);
 }
 
 class Drawing {
@@ -72,12 +72,12 @@ class Drawing {
 
   // True if something was corrected; then all of it has been drawn.
   bool run() {
-    for (GLsizei i = 0; i < draw_.instances && (i == 0 || corrected_); ++i) run_instance();
+    for (GLsizei i = 0; i < draw_.instances.count && (i == 0 || corrected_); ++i) run_instance();
     c_.drawing = nullptr;
     c_.before_draw = nullptr;
     for (std::size_t i = 0; i < kReasonCount; ++i) {
       // What needs nothing in the first instance needs nothing in the others, which were not looked at.
-      if (passed_[i] > 0) c_.counters.passed[i].add(corrected_ ? passed_[i] : passed_[i] * std::uint64_t(draw_.instances));
+      if (passed_[i] > 0) c_.counters.passed[i].add(corrected_ ? passed_[i] : passed_[i] * std::uint64_t(draw_.instances.count));
     }
     if (!corrected_) return false;
     close_mesh(c_);

@@ -223,23 +223,20 @@ class Compiling {
   // The driver compiles it: its quads are counted once.
   void count_passed() {
     for (std::size_t i = 0; i < kReasonCount; ++i) {
-      const std::uint64_t quads = passed_[i] * std::uint64_t(draw_.instances);
-      c_.counters.passed[i].add(quads);
-      c_.counters.listed.add(quads);
+      c_.counters.passed[i].add(passed_[i]);
+      c_.counters.listed.add(passed_[i]);
     }
   }
 
   void send() {
-    for (GLsizei instance = 0; instance < draw_.instances; ++instance) {
-      for (GLsizei i = 0; i < draw_.primitives; ++i) {
-        Elements elements;
-        sources_.find(draw_, i, elements);
-        for_each_segment(elements, restart_, draw_.count[i], [&](GLsizei begin, GLsizei end) {
-          begin_primitive();
-          for (GLsizei k = begin; k < end; ++k) send_element(e_, sources_, element(elements, k));
-          truequad::end(e_);
-        });
-      }
+    for (GLsizei i = 0; i < draw_.primitives; ++i) {
+      Elements elements;
+      sources_.find(draw_, i, elements);
+      for_each_segment(elements, restart_, draw_.count[i], [&](GLsizei begin, GLsizei end) {
+        begin_primitive();
+        for (GLsizei k = begin; k < end; ++k) send_element(e_, sources_, element(elements, k));
+        truequad::end(e_);
+      });
     }
   }
 
@@ -291,6 +288,9 @@ class Compiling {
 }  // namespace
 
 bool compile_quads(Entry& e, Capture& c, const ArrayDraw& draw) {
+  // "The error INVALID_OPERATION is generated if DrawArraysInstancedARB or DrawElementsInstancedARB is called during display
+  // list compilation" (ARB_draw_instanced).
+  if (draw.instances.named) return false;
   const Settings& settings = c.chosen;
   if (settings.mode == Mode::kOff || !(settings.primitives >> draw.mode & 1) || !e.context) return false;
   if (e.list->mode == GL_COMPILE_AND_EXECUTE && e.list->executed_inside) return false;

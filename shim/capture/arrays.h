@@ -7,6 +7,14 @@
 
 namespace truequad {
 
+// How often a draw is made.
+struct Instances {
+  GLsizei count = 1;
+  bool named = false;  // the call says so
+  Instances() = default;
+  Instances(GLsizei n) : count(n), named(true) {}
+};
+
 // A draw from arrays, of whatever entry point: glDrawArrays and glDrawElements are of one primitive.
 struct ArrayDraw {
   GLenum mode;
@@ -17,7 +25,7 @@ struct ArrayDraw {
   const void* const* indices = nullptr;      // of each
   const GLint* base = nullptr;               // base vertex of each, if the call has one
   GLuint least = 0, most = ~GLuint(0);       // the range that the call promises of its indices
-  GLsizei instances = 1;
+  Instances instances = {};
 };
 
 // Draws it, if some quad needs correction: quads that need none by draws of the same arrays. False: nothing was done, and
@@ -40,7 +48,7 @@ inline bool may_have_quads(const Entry& entry, GLenum mode) { return has_quads(m
 
 // One primitive of `count` vertices. Each makes the program's call `own()` if nothing needs correction.
 template <typename Own>
-void draw_arrays(Entry& e, GLenum mode, GLint first, GLsizei count, GLsizei instances, Own own) {
+void draw_arrays(Entry& e, GLenum mode, GLint first, GLsizei count, Instances instances, Own own) {
   if (may_have_quads(e, mode) &&
       draw_quads(e, {.mode = mode, .count = &count, .first = &first, .instances = instances})) {
     return;
@@ -52,7 +60,7 @@ struct IndexRange {
 };
 template <typename Own>
 void draw_elements(Entry& e, GLenum mode, IndexRange range, GLsizei count, GLenum type, const void* indices, GLint base,
-                   GLsizei instances, Own own) {
+                   Instances instances, Own own) {
   if (may_have_quads(e, mode) && draw_quads(e, {.mode = mode,
                                                 .count = &count,
                                                 .type = type,

@@ -27,18 +27,23 @@ unsigned pointed_numbers([[maybe_unused]] GLenum property) {
   return row.size;
 }
 
-// Of glMaterial*v GL reads nothing unless it knows the property.
+// Whether a call of glMaterial can be kept. Of glMaterial*v GL reads nothing unless it knows the property. Fixed-point numbers
+// are those of OpenGL ES 1.1 ("face … must be GL_FRONT_AND_BACK"), and drivers convert them before they compile: what is
+// wrong there is an error at once, not when the list is called.
 template <Row row>
-bool readable([[maybe_unused]] GLenum property) {
-  if constexpr (row.family == Family::Material && row.vector) {
+bool keepable([[maybe_unused]] GLenum face, [[maybe_unused]] GLenum property) {
+  if constexpr (row.family == Family::Material) {
+    constexpr bool fixed = row.encoding == Encoding::kFixed;
+    if (fixed && face != GL_FRONT_AND_BACK) return false;
+    if constexpr (!row.vector) return !fixed || property == GL_SHININESS;
     switch (property) {
       case GL_AMBIENT:
       case GL_DIFFUSE:
       case GL_SPECULAR:
       case GL_EMISSION:
       case GL_SHININESS:
-      case GL_AMBIENT_AND_DIFFUSE:
-      case GL_COLOR_INDEXES: return true;
+      case GL_AMBIENT_AND_DIFFUSE: return true;
+      case GL_COLOR_INDEXES: return !fixed;
       default: return false;
     }
   }
@@ -67,15 +72,16 @@ struct Kept<row, member, void(GLAPIENTRY*)(Arguments...)> {
     return sizeof(Number<T>) * (std::is_pointer_v<T> ? pointed_numbers<row>(property) : 1);
   }
 
-  // The property of a glMaterial call.
-  static GLenum property_of([[maybe_unused]] const std::tuple<Arguments...>& arguments) {
-    if constexpr (row.family == Family::Material) return GLenum(std::get<1>(arguments));
+  // The face and property of a glMaterial call: arguments 0 and 1.
+  template <std::size_t i>
+  static GLenum name_of([[maybe_unused]] const std::tuple<Arguments...>& arguments) {
+    if constexpr (row.family == Family::Material) return GLenum(std::get<i>(arguments));
     else return 0;
   }
 
   static void GLAPIENTRY call(Arguments... arguments) {
-    const GLenum property = property_of({arguments...});
-    if (!readable<row>(property)) {
+    const GLenum property = name_of<1>({arguments...});
+    if (!keepable<row>(name_of<0>({arguments...}), property)) {
       return (open_driver_part(entry).*member)(arguments...);
     }
     if constexpr (row.family == Family::Vertex) keep_leading(entry);

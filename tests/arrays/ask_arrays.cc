@@ -186,6 +186,13 @@ void errors() {
   glMultiDrawElements(GL_QUADS, count, GL_UNSIGNED_SHORT, starts, 2), look("likewise of indices");
   glDrawArraysInstanced(GL_QUADS, 0, 4, -1), look("negative instances");
   glDrawArraysInstanced(GL_QUADS, 0, 4, 0), look("no instance");
+  glNewList(12, GL_COMPILE);
+  glDrawArraysInstanced(GL_QUADS, 0, 8, 1);
+  std::printf("instances in a list: error %x\n", glGetError());
+  glDrawElementsInstanced(GL_QUADS, 4, GL_UNSIGNED_SHORT, indices, 2);
+  std::printf("instances of indices in a list: error %x\n", glGetError());
+  glEndList();
+  glCallList(12), look("instances that were in a list");
   glBegin(GL_QUADS);
   glTexCoord2f(0, 0), glVertex2f(-0.5f, -0.5f);
   glDrawArrays(GL_QUADS, 0, 4);

@@ -217,6 +217,28 @@ void ask_all() {
     std::printf("normal %g %g %g\n", now[0], now[1], now[2]);
     say("a call that is missing in a primitive");
   }
+  // An error where it is called, not when the list is.
+  const auto material = reinterpret_cast<void (*)(GLenum, GLenum, GLint)>(OSMesaGetProcAddress("glMaterialxOES"));
+  const auto materials = reinterpret_cast<void (*)(GLenum, GLenum, const GLint*)>(OSMesaGetProcAddress("glMaterialxvOES"));
+  const GLint fixed[4] = {0x8000, 0x4000, 0x2000, 0x10000};
+  glNewList(57, GL_COMPILE);
+  quad();
+  if (material) material(GL_FRONT_AND_BACK, GL_DIFFUSE, 0x8000);
+  std::printf("material of one number: error %x\n", glGetError());
+  quad();
+  if (material) material(GL_FRONT, GL_SHININESS, 0x8000);
+  std::printf("one side's shininess: error %x\n", glGetError());
+  quad();
+  if (materials) materials(GL_BACK, GL_DIFFUSE, fixed);
+  std::printf("one side's material: error %x\n", glGetError());
+  quad();
+  if (materials) materials(GL_FRONT_AND_BACK, GL_DIFFUSE, fixed);
+  std::printf("material: error %x\n", glGetError());
+  glEndList();
+  glCallList(57);
+  GLfloat diffuse[4];
+  glGetMaterialfv(GL_FRONT, GL_DIFFUSE, diffuse);
+  std::printf("diffuse %g %g %g %g\n", diffuse[0], diffuse[1], diffuse[2], diffuse[3]);
   say("end");
 }
 
