@@ -105,6 +105,17 @@ bool same_sets(const PlannedFor& a, const PlannedFor& b) {
   return same;
 }
 
+// Colours, normals and so on: of numbers that are not finite drivers make what they like, and not the same inside a quad.
+bool attributes_finite(const Capture& c, const Quad& quad) {
+  float zero = 0;
+  for_each_slot(c.live & kInterpolatedSlots, [&](Slot slot) {
+    for (unsigned corner : quad.corner) {
+      for (float x : c.at[slot][corner].at) zero += 0 * x;
+    }
+  });
+  return zero == 0;
+}
+
 bool gives_own_q(const PlannedFor& sets) {
   bool own = false;
   for_each_slot(SlotMask(sets.units), [&](unsigned unit) {
@@ -199,6 +210,7 @@ Reason correct(Capture& c, const Quad& quad, SlotMask warped, bool colours) {
     draw(c, quad, sets.units);
     return Reason::kNone;
   }
+  if (!attributes_finite(c, quad)) return Reason::kNotFinite;
   const Reason reason = warped ? find_reason(c, sets, warped) : Reason::kAffine;
   // The program's own q would be interpolated otherwise; what is not textured by it is right in any mesh.
   if (reason == Reason::kNone || (sets.colours > 0 && reason != Reason::kOwnQ)) {

@@ -1,5 +1,9 @@
 #include "capture/lights.h"
 
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <span>
+
 #include "capture/draw.h"
 #include "capture/scratch.h"
 #include "capture/state.h"
@@ -90,6 +94,27 @@ bool materials_follow(Lights& lights) {
   return same;
 }
 
+// Drivers make colours of their own of what is not finite.
+bool all_finite(const Lights& lights) {
+  float zero = 0;
+  const auto add = [&](const auto& x) {
+    for (int i = 0; i < x.length(); ++i) zero += 0 * x[i];
+  };
+  for (const Light& light : std::span(lights.light, lights.count)) {
+    for (const glm::vec4* x : {&light.ambient, &light.diffuse, &light.specular, &light.position}) add(*x);
+    add(light.spot_direction);
+    add(glm::vec3(light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation));
+    add(glm::vec2(light.spot_exponent, light.spot_cutoff));
+  }
+  for (const Material& material : std::span(lights.material, lights.two_sided ? 2 : 1)) {
+    for (const glm::vec4* x : {&material.ambient, &material.diffuse, &material.specular, &material.emission}) add(*x);
+    zero += 0 * material.shininess;
+  }
+  add(lights.model.ambient);
+  add(lights.normal);
+  return zero == 0;
+}
+
 void read_all(const Capture& c, const Caps& caps, Lights& out) {
   const Driver& driver = *c.driver;
   out.modelled = !out.too_many && get(driver, GL_RGBA_MODE) != 0 &&
@@ -117,6 +142,7 @@ void read_all(const Capture& c, const Caps& caps, Lights& out) {
   out.tracked = out.color_material ? tracked_slots(driver) : 0;
   if (!out.two_sided) out.tracked &= bits(kMaterial, kMaterialProperties);
   if (out.color_kept && !materials_follow(out)) out.modelled = false;
+  if (!all_finite(out)) out.modelled = false;
 }
 
 bool same_at_corners(const Capture& c, const Quad& quad, SlotMask slots) {
@@ -151,7 +177,7 @@ Float4 colour(const Capture& c, const glm::dvec4& x) {
   return result;
 }
 
-// False: the corner is at infinity, from where no direction leads to a lamp.
+// False: the corner is at infinity, from where no direction leads to a lamp, or its colour is not finite.
 bool light_corner(const Capture& c, const Lights& lights, unsigned place, unsigned corner, LitCorners& out) {
   const glm::dvec4 eye = lights.eye.position(vector(c.at[kPosition][place]));
   if (eye.w == 0) return false;
@@ -163,6 +189,10 @@ bool light_corner(const Capture& c, const Lights& lights, unsigned place, unsign
     const LitColours lit =
         light_vertex(lights.model, {lights.light, lights.count}, material_at(c, lights, side, place), position,
                      side == kFront ? normal : -normal);
+    if (!std::isfinite(lit.primary.r + lit.primary.g + lit.primary.b + lit.primary.a + lit.secondary.r + lit.secondary.g +
+                       lit.secondary.b)) {
+      return false;
+    }
     out.primary[side][corner] = colour(c, lit.primary);
     out.secondary[side][corner] = colour(c, lit.secondary);
   }

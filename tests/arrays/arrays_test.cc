@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "run.h"
@@ -186,6 +187,23 @@ TEST(Arrays, AnswersAreTheDriversOwn) {
   ASSERT_TRUE(json.is_object()) << ours.err;
   EXPECT_GT(json.value("corrected", 0), 0);
   EXPECT_GT(json["by_path"].value("rect", 0), 0);
+}
+
+// The driver draws nothing, so that what grows is memory of ours, or what the driver keeps of any draw.
+TEST(Arrays, MemoryIsBoundedForTenMillionIndices) {
+  for (const char* way : {"client", "buffer"}) {
+    SCOPED_TRACE(way);
+    const auto native = run({DRAW_MANY, way}, {{"GALLIUM_NOOP", "1"}});
+    const auto ours = run({DRAW_MANY, way}, {{"GALLIUM_NOOP", "1"}, {"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", "-"}});
+    EXPECT_EQ(native.status, 0);
+    EXPECT_EQ(ours.status, 0);
+    const auto json = nlohmann::json::parse(ours.err, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << ours.err;
+    EXPECT_EQ(json.value("quads", 0), 2'500'002);
+    EXPECT_EQ(json.value("corrected", 0), 2'501);
+    std::printf("%s: %d MiB natively, %d with truequad\n", way, std::stoi(native.out), std::stoi(ours.out));
+    EXPECT_LE(std::stoi(ours.out), std::stoi(native.out) + 24);
+  }
 }
 
 TEST(Arrays, LibrariesThatDrawQuadsAreReached) {

@@ -31,5 +31,6 @@ const std::vector<Scene>& texture_scenes();
 const std::vector<Scene>& query_scenes();
 const std::vector<Scene>& state_scenes();
 const std::vector<Scene>& call_scenes();
+const std::vector<Scene>& hard_scenes();
 
 }  // namespace truequad::semantics

@@ -94,6 +94,11 @@ const std::vector<Expected> kScenes = {
     {"illegal_calls", 0, Corrected::kSome, 150},
     {"legal_calls", 0, Corrected::kSome, 150},
     {"calls_of_mixed_sizes", 0, Corrected::kSome, 150},
+    {"bad_vertices", 0, Corrected::kSome, 1},
+    {"extreme_vertices", 1, Corrected::kSome, 1},
+    {"lit_by_bad_numbers", 0, Corrected::kSome, 1},
+    {"bad_matrices", 0, Corrected::kSome, 1},
+    {"bad_viewports", 0, Corrected::kSome, 1},
     {"flat_textures", 0, Corrected::kSome, 1},
     {"touched_once", 0, Corrected::kSome, 120},
 };
@@ -156,7 +161,8 @@ TEST_P(OtherInterfaces, AreTheDriversOwn) {
     const std::string scene = expected.scene;
     for (const char* one :
          {"flat_first", "smooth", "translucent", "culling", "samples", "second_unit_2d", "feedback",
-          "samples_passed", "transform_feedback", "state", "attribute_stack", "lists", "debug_output"}) {
+          "samples_passed", "transform_feedback", "state", "attribute_stack", "lists", "debug_output", "bad_vertices", "extreme_vertices",
+          "lit_by_bad_numbers", "bad_matrices", "bad_viewports"}) {
       if (scene != one) continue;
       expected.seeds = 1;
       expect_native(expected, GetParam());
@@ -168,7 +174,8 @@ TEST_P(OtherInterfaces, AreTheDriversOwn) {
 // current values of a list, where Mesa's own lists leave others (docs/semantics.md).
 bool draws_shapes(const std::string& scene) {
   for (const char* other : {"feedback", "selection", "state", "attribute_stack", "lists", "debug_output", "names", "errors_at_last", "flat_random_lights",
-                            "pictures_of_calls", "illegal_calls", "legal_calls", "calls_of_mixed_sizes"}) {
+                            "pictures_of_calls", "illegal_calls", "legal_calls", "calls_of_mixed_sizes", "bad_vertices", "extreme_vertices",
+                            "lit_by_bad_numbers", "bad_matrices", "bad_viewports"}) {
     if (scene == other) return false;
   }
   return true;
