@@ -100,7 +100,16 @@ void play_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
     e.context->list_base = GLuint(base);
   }
   const GLuint base = e.context->list_base;
-  for (GLsizei i = 0; i < count; ++i) play_list(e, base + name_at(type, names, i));
+  for (GLsizei i = 0; i < count; ++i) {
+    const GLuint offset = name_at(type, names, i);
+    if (base + offset != 0) {
+      play_list(e, base + offset);
+      continue;
+    }
+    // Of a list 0 drivers have their own opinion: an error of glCallList is none here.
+    barrier(e);
+    e.driver->CallLists(1, GL_UNSIGNED_INT, &offset);
+  }
 }
 
 void play_kept(Entry& e, const Part& part, Played how) {
@@ -121,7 +130,8 @@ void play_kept(Entry& e, const Part& part, Played how) {
 void call_list(Entry& e, GLuint name) {
   if (!e.list) return play_list(e, name);
   barrier(e);
-  if (!compile_call(e, name)) e.dispatch->CallList(name);
+  // Whether a list 0 is an error, and when, is the driver's to say.
+  if (name == 0 || !compile_call(e, name)) e.dispatch->CallList(name);
 }
 
 void call_lists(Entry& e, GLsizei count, GLenum type, const void* names) {

@@ -156,6 +156,28 @@ void ask_all() {
   glEndList();
   glCallList(51);
   say("a colour in a list");
+  // No list has the number 0: an error of glCallList, but not among others, nor in a list.
+  const GLuint none_among[] = {51, 0, 51};
+  glCallList(0);
+  say("list 0 called");
+  glCallLists(3, GL_UNSIGNED_INT, none_among);
+  say("list 0 among others");
+  glListBase(~0u);
+  const GLubyte after_base[] = {1, 52};
+  glCallLists(2, GL_UNSIGNED_BYTE, after_base);
+  glListBase(0);
+  say("list 0 by a base");
+  for (GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    glNewList(60, mode);
+    quad();
+    glCallList(0);
+    std::printf("list 0 in a list: error %x\n", glGetError());
+    glCallLists(3, GL_UNSIGNED_INT, none_among);
+    std::printf("among others: error %x\n", glGetError());
+    glEndList();
+    glCallList(60);
+    say("list 0 in a list");
+  }
   // A Begin that another list ends.
   glNewList(52, GL_COMPILE);
   glBegin(GL_QUADS);
