@@ -64,8 +64,8 @@ struct View {
   Viewport viewport;
   // Width in pixels of the grid to which the rasteriser snaps vertices (2^-GL_SUBPIXEL_BITS); 0 = exact.
   double snap_px = 0;
-  // Of a rasteriser that sets up interpolation in floating point, from the vertices as they were before snapping:
-  // the largest relative rounding of one operation (2^-24 for single precision). 0 = exact, from snapped vertices.
+  // Of a rasteriser that takes vertices and sets up interpolation in floating point, from the vertices as they were before
+  // snapping: the largest relative rounding of one operation (2^-24 for single precision). 0 = exact, from snapped vertices.
   // Where this is not 0, fragments are taken to be at the centres of pixels: no multisampling.
   double setup_rounding = 0;
 };

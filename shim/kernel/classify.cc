@@ -99,6 +99,7 @@ bool constant(const Corners& x) {
 }
 
 void put(Rows& rows, const Corners& x, int first_column) {
+  const bool same_w = x[1].w == x[0].w && x[2].w == x[0].w && x[3].w == x[0].w;
   for (int row = 0; row < 4; ++row) {
     double* const value = rows.value[row] + first_column;
     value[0] = x[row].x;
@@ -106,6 +107,9 @@ void put(Rows& rows, const Corners& x, int first_column) {
     value[2] = x[row].z;
     value[3] = x[row].w;
     for (int i = 0; i < 4; ++i) rows.error[row][first_column + i] = kInputRounding * std::fabs(value[i]);
+    // The same at all corners, w and q are a choice and no result: 1 mostly. Their rounding would count for that of whole
+    // coordinates, which are large far from the origin.
+    if (same_w) rows.error[row][first_column + 3] = 0;
   }
 }
 

@@ -133,7 +133,8 @@ double colour_px(const ColourModel& model, const ScreenQuad& screen, const Colou
         for (const Param& a : part.corner) largest = std::max(largest, glm::length(g + a.u * g_u + a.v * g_v));
         steepest = std::max(steepest, largest + shift_u * glm::length(g_u) + shift_v * glm::length(g_v));
       }
-      if (model.snap_px > 0) steps += kSnapReach * model.snap_px * largest_w * steepest / std::sqrt(least_root);
+      const double moved_px = kSnapReach * model.snap_px + model.rounding_px;
+      if (moved_px > 0) steps += moved_px * largest_w * steepest / std::sqrt(least_root);
     }
     worst = std::max(worst, steps <= c.range ? steps : c.range);
   }

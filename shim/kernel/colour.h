@@ -26,7 +26,8 @@ struct ColourModel {
   std::size_t count = 0;
   // What a step counts in a bound in pixels: the tolerances of both.
   double px_per_step = 0;
-  double snap_px = 0;
+  // The rasteriser's grid; what rounding moves vertices by.
+  double snap_px = 0, rounding_px = 0;
   // The determinant vanishes or changes sign on the quad: there its picture folds.
   bool folded = false;
 

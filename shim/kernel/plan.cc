@@ -29,7 +29,8 @@ bool add_colours(const Corners& position, std::span<const ColourChannel> colours
   model.colours.count = 0;
   if (colours.empty() || !kernel::add_colours(position, colours, model.screen, model.colours)) return false;
   model.colours.px_per_step = budget.mesh_px / budget.colour_steps;
-  model.colours.snap_px = budget.snap_px;
+  model.colours.snap_px = budget.snap_px - budget.rounding_px;
+  model.colours.rounding_px = budget.rounding_px;
   return true;
 }
 
@@ -58,14 +59,15 @@ bool finite(const View& view) {
 
 }  // namespace
 
-Budget kernel::make_budget(const Limits& limits, const View& view) {
+Budget kernel::make_budget(const Limits& limits, const View& view, double rounding_px) {
   const Limits defaults;
   const auto positive = [](double value, double otherwise, double low, double high) {
     return value > 0 ? std::clamp(value, low, high) : otherwise;
   };
   Budget budget;
   budget.tolerance_px = positive(limits.tolerance_px, defaults.tolerance_px, 1e-3, 1e6);
-  budget.snap_px = positive(view.snap_px, 0, 0, 1);
+  budget.rounding_px = rounding_px;
+  budget.snap_px = positive(view.snap_px, 0, 0, 1) + rounding_px;
   // A tolerance of the order of the rasteriser's own grid leaves half of it to the mesh; the bound says the
   // rest.
   budget.mesh_px = std::max(budget.tolerance_px - budget.snap_px, budget.tolerance_px / 2);
@@ -111,10 +113,11 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
 
   ErrorModel model;
   if (!kernel::make_screen_quad(position, view, model.screen)) return pass(out, PassReason::kNotFinite);
-  const Budget budget = kernel::make_budget(limits, view);
+  model.rasteriser = kernel::make_rasteriser(view);
+  const Budget budget =
+      kernel::make_budget(limits, view, vertex_rounding_px(model.rasteriser, position, view, model.screen));
   if (!add_colours(position, colours, budget, model) && shape != Shape::kWarped) return pass(out, reason_of(shape));
   if (model.screen.invisible()) return pass(out, PassReason::kInvisible);
-  model.rasteriser = kernel::make_rasteriser(view);
 
   if (!textures.empty() && (mode == Mode::kProjective || mode == Mode::kAuto)) {
     double spread;
@@ -141,22 +144,22 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
 void bound_mesh(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
                 Plan& mesh, std::span<const ColourChannel> colours) {
   textures = textures.first(std::min(textures.size(), kMaxTextureSets));
-  const Budget budget = kernel::make_budget(limits, view);
+  ErrorModel model;
+  model.rasteriser = kernel::make_rasteriser(view);
+  const bool seen = kernel::make_screen_quad(position, view, model.screen);
+  const Budget budget = kernel::make_budget(
+      limits, view, seen ? vertex_rounding_px(model.rasteriser, position, view, model.screen) : 0);
   mesh.bound_px = mesh.bound_steps = 0;
   if (classify(position, textures) == Shape::kWarped) {
-    ErrorModel model;
-    model.rasteriser = kernel::make_rasteriser(view);
-    const bool known = kernel::make_screen_quad(position, view, model.screen) &&
-                       kernel::add_texture_maps(position, textures, model);
-    mesh.bound_px = !known                ? std::numeric_limits<double>::infinity()
+    mesh.bound_px = !seen || !kernel::add_texture_maps(position, textures, model)
+                        ? std::numeric_limits<double>::infinity()
                     : mesh.leaf_count > 0 ? kernel::leaves_bound(model, mesh)
                                           : kernel::block_bound(model, mesh, budget.mesh_px);
   }
   mesh.bound_px += budget.snap_px;
-  if (!colours.empty() && mesh.leaf_count == 0) {
-    ErrorModel model;
-    model.rasteriser = kernel::make_rasteriser(view);
-    if (kernel::make_screen_quad(position, view, model.screen) && add_colours(position, colours, budget, model)) {
+  if (!colours.empty() && mesh.leaf_count == 0 && seen) {
+    model.map_count = 0;
+    if (add_colours(position, colours, budget, model)) {
       mesh.bound_steps = kernel::block_bound(model, mesh, budget.mesh_px) / model.colours.px_per_step;
     }
   }

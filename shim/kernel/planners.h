@@ -9,14 +9,14 @@
 
 namespace truequad::kernel {
 
-// Limits in their valid range, with the part of the tolerance that is left to the mesh once the rasteriser
-// has snapped its vertices.
+// Limits in their valid range, with the part of the tolerance that is left to the mesh once its vertices have been rounded
+// and snapped, which moves what is drawn by `snap_px`; `rounding_px` of it by rounding.
 struct Budget {
-  double tolerance_px, snap_px, mesh_px, colour_steps;
+  double tolerance_px, snap_px, rounding_px, mesh_px, colour_steps;
   int max_triangles;
   PaperThresholds paper;
 };
-Budget make_budget(const Limits& limits, const View& view);
+Budget make_budget(const Limits& limits, const View& view, double rounding_px);
 
 // Passes if two triangles are enough, else meshes. model: screen and maps of the sets that are neither
 // constant nor affine.

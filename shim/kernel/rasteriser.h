@@ -22,6 +22,10 @@ struct Rasteriser {
 };
 Rasteriser make_rasteriser(const View& view);
 
+// How far, in pixels, the rounding of the vertices that are sent, and of their way to the screen, may move a visible point of
+// the quad: much where their coordinates are large beside the quad, as those of a map are.
+double vertex_rounding_px(const Rasteriser& rasteriser, const Corners& position, const View& view, const ScreenQuad& quad);
+
 // Values that a rasteriser interpolates over a triangle: a window point, in pixels from the viewport's centre,
 // s and t times q, and q, which is 1 / w times the q of the texture coordinates.
 struct SetupVertex {

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryFamily, testing::ValuesIn(families()),
 class EveryInterface : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryInterface, KeepsTheTolerance) {
-  for (const char* name : {"trapezoid", "dragged", "strip", "polygon", "non_planar"}) {
+  for (const char* name : {"trapezoid", "dragged", "strip", "polygon", "non_planar", "far_away"}) {
     expect_promises_kept({GetParam(), name, 8000, 10, 200, 160}, {"bilinear", 0.25});
   }
 }

@@ -211,6 +211,29 @@ Scene mesh(unsigned seed, int width, int height) {
   return scene;
 }
 
+// Quads in the coordinates of a map, far from their origin, which the matrix moves back. Single precision leaves steps there
+// that are much of a pixel. A step has a size in the picture, so that seeds do not depend on the unit.
+Scene far_away(unsigned seed, int width, int height) {
+  Random random(seed);
+  Scene scene = seed % 2 ? perspective(seed, width, height) : trapezoid(seed, width, height);
+  const float unit = std::exp(random.in(-5, 9)), steps_px = std::exp(random.in(-5, -2));
+  const float far = steps_px / (float(width) / 4) * 0x1p24f;  // in units
+  std::array<float, 3> place{};
+  for (int k = 0; k < (seed % 2 ? 3 : 2); ++k) place[k] = random.in(-far, far) * unit;
+  for (Vertex& v : scene.primitives[0].vertices) {
+    for (int k = 0; k < 3; ++k) v.position[k] = v.position[k] * unit + place[k];
+  }
+  // The modelview matrix, then the unit, then the place.
+  std::array<float, 16>& m = scene.modelview;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) m[4 * k + i] /= unit;
+    double moved = m[12 + i];
+    for (int k = 0; k < 3; ++k) moved -= double(m[4 * k + i]) * place[k];
+    m[12 + i] = float(moved);
+  }
+  return scene;
+}
+
 // Everything whose map is affine: parallelograms, a trapezoid with a trapezoid of texture, both in
 // perspective, a strip of them, a polygon, and a trapezoid with the right q's of its own.
 Scene affine(unsigned seed, int width, int height) {
@@ -309,6 +332,8 @@ const std::vector<Family>& families() {
 }
 
 const Family& family(std::string_view name) {
+  static const Family other = {"far_away", far_away, false, false};
+  if (name == other.name) return other;
   for (const Family& family : families()) {
     if (family.name == name) return family;
   }

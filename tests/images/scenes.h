@@ -38,7 +38,7 @@ struct Family {
   bool planar_convex;  // on the screen too: the two triangles cover exactly the quad
 };
 const std::vector<Family>& families();
-// Ends the process with a message if there is none of that name.
+// Of these or "far_away"; ends the process with a message if there is none of that name.
 const Family& family(std::string_view name);
 
 // Texture coordinates lie inside of (0, 1), since the pictures encode them by position in that square.

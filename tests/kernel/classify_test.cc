@@ -110,6 +110,16 @@ TEST(Classify, TwoEqualCornersAreATriangle) {
   EXPECT_EQ(classify_one(flat({0, 0, 1, 0, 0, 1, 0, 1}), kUnitSquare), Shape::kWarped);
 }
 
+// w and q, 1 at all corners, have no rounding that could count for that of far places.
+TEST(Classify, FarFromTheOriginOnlyTheRoundingOfThePlaceCounts) {
+  constexpr double kFar = 0x1p20, kStep = 0x1p-3;  // from one float to the next there
+  for (int steps : {0, 2, 4, 16, 40, 1000}) {
+    const double side = 100, in = steps * kStep / 2;
+    const Corners position = flat({kFar, kFar, kFar + side, kFar, kFar + side - in, kFar + side, kFar + in, kFar + side});
+    EXPECT_EQ(classify_one(position, kUnitSquare), steps < 8 ? Shape::kAffine : Shape::kWarped) << steps;
+  }
+}
+
 TEST(Classify, EverySetCounts) {
   const std::array<Corners, 2> sets{flat({0, 0, 1, 0, .75, 1, .25, 1}), kUnitSquare};
   EXPECT_EQ(classify(kTrapezoid, std::span(sets).first(1)), Shape::kAffine);
