@@ -1,6 +1,7 @@
 // The figures that docs/design.md promises, measured in extended precision.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -72,11 +73,14 @@ TEST(Figures, AnAffineCopyPasses) {
   EXPECT_EQ(pass.reason, PassReason::kAffine);
 }
 
-// Figures 4 to 6 and 13 of the paper: a checkerboard trapezoid, the whole texture on it, at five projected
-// areas, in both orders of the vertices.
+// Figures 4 to 6 and 13 of the paper: a checkerboard trapezoid at five projected areas, in both orders of the vertices; on it
+// the whole texture, and a patch that is no parallelogram either (samples/trapezoid.cc).
 TEST(Figures, NeverMoreTrianglesThanThePaperAtItsError) {
+  const Corners slanted{Vec4{.125, 0, 0, 1}, Vec4{1, .25, 0, 1}, Vec4{.75, 1, 0, 1}, Vec4{0, .75, 0, 1}};
   for (double area_px : {33600.0, 11879.0, 3051.0, 795.0, 197.0}) {
-    for (int first : {0, 1}) {
+    for (int trial = 0; trial < 4; ++trial) {
+      const int first = trial % 2;
+      const Corners& patch = trial < 2 ? kUnitSquare : slanted;
       Quad quad;
       const double unit = std::sqrt(area_px / 1.5);  // sides 2 and 1, height 1
       const Corners trapezoid{Vec4{-1, -.5, 0, 1}, Vec4{1, -.5, 0, 1}, Vec4{.5, .5, 0, 1},
@@ -84,26 +88,36 @@ TEST(Figures, NeverMoreTrianglesThanThePaperAtItsError) {
       for (int i = 0; i < 4; ++i) {
         const Vec4& p = trapezoid[(i + first) % 4];
         quad.position[i] = {p.x * unit, p.y * unit, 0, 1};
-        quad.texture[i] = kUnitSquare[(i + first) % 4];
+        quad.texture[i] = patch[(i + first) % 4];
       }
       quad.view = pixel_view(512, 512);
       const Plan& paper = planned(quad, 0.25, Mode::kPaper);
       const int paper_triangles = paper.triangles;
       const bool subdivided = paper.action == Action::kMesh;
       EXPECT_EQ(subdivided, area_px > 200);
-      const double paper_px = measure_finely(quad, subdivided ? mesh_of(paper) : two_triangles(true), 12);
-      EXPECT_LE(paper_px, paper.bound_px);
-      const Plan& ours = planned(quad, paper_px * (1 + 1e-6));
-      const double ours_px =
-          measure_finely(quad, ours.action == Action::kMesh ? mesh_of(ours) : two_triangles(true), 12);
+      const auto measured = [&](const Plan& plan) {
+        if (plan.action == Action::kMesh) return measure_finely(quad, mesh_of(plan), plan.triangles < 50 ? 48 : 12);
+        // The driver chooses the diagonal.
+        return std::max(measure_finely(quad, two_triangles(true), 48), measure_finely(quad, two_triangles(false), 48));
+      };
+      const double paper_px = measured(paper), paper_bound_px = paper.bound_px;
+      EXPECT_LE(paper_px, paper_bound_px);
+      // Where the texture's density varies, a promise is up to a twentieth more than the error: one fan has the error of the
+      // paper's eight triangles, but it is proven for the promise that these would get.
+      double ours_px = 0;
+      for (const double tolerance_px : {paper_px * (1 + 1e-6), paper_bound_px}) {
+        ours_px = measured(planned(quad, tolerance_px));
+        if (scratch_plan().triangles < paper_triangles) break;
+      }
+      const Plan& ours = scratch_plan();
       EXPECT_LE(ours_px, paper_px * (1 + 1e-6)) << area_px;
       if (subdivided) {
         EXPECT_LT(ours.triangles, paper_triangles) << area_px;
       } else {
         EXPECT_LE(ours.triangles, paper_triangles) << area_px;
       }
-      printf("%8.0f px: paper %4d triangles %.4f px, truequad %4d triangles %.4f px\n", area_px,
-             paper_triangles, paper_px, ours.triangles, ours_px);
+      printf("%8.0f px, %s: paper %4d triangles %.4f px, truequad %4d triangles %.4f px\n", area_px,
+             trial < 2 ? "square" : "slanted", paper_triangles, paper_px, ours.triangles, ours_px);
     }
   }
 }
