@@ -128,16 +128,5 @@ TEST(Affine, PolygonsGoOutAsTheyAre) {
   }
 }
 
-TEST(Affine, TenMillionVerticesInOneBeginNeedNoMemory) {
-  reset();
-  make_current();
-  gl().logging = false;
-  const std::uint64_t before = passed(Reason::kAffine);
-  doors().Begin(GL_QUADS);
-  for (int i = 0; i < 2'500'000; ++i) kSquare.draw(doors());
-  doors().End();
-  EXPECT_EQ(passed(Reason::kAffine) - before, 2'500'000u);
-}
-
 }  // namespace
 }  // namespace truequad::fake

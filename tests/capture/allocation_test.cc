@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdlib>
 
+#include "../trials.h"
 #include "program.h"
 
 namespace {
@@ -40,6 +41,8 @@ extern "C" {
 namespace truequad::fake {
 namespace {
 
+using test::trials;
+
 void draw(const Driver& gl) {
   for (GLenum mode : {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}) {
     gl.Begin(mode);
@@ -62,6 +65,32 @@ TEST(Allocation, CorrectedQuadsNeedNone) {
   for (int i = 0; i < 100; ++i) draw(doors());
   EXPECT_EQ(allocations - before, 0);
   EXPECT_EQ(corrected() - quads, 300u);
+}
+
+// Of a primitive no more is held than the vertices of one quad, however many of its quads are corrected.
+TEST(Allocation, TenMillionVerticesInOneBeginNeedNone) {
+  reset();
+  make_current();
+  gl().logging = false;
+  draw(doors());
+  const unsigned quads = trials(2'500'000);
+  for (GLenum mode : {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}) {
+    const long before = allocations;
+    const std::uint64_t seen = passed() + corrected(), mended = corrected();
+    doors().Begin(mode);
+    for (unsigned i = 0; i < quads; ++i) {
+      if (mode == GL_QUADS) {
+        (i % 5000 ? kSquare : kTrapezoid).draw(doors());
+      } else {
+        for (int k : {0, 1, 3, 2}) kSquare.vertex(doors(), k);
+      }
+    }
+    doors().End();
+    EXPECT_EQ(allocations - before, 0) << mode;
+    // A strip goes back and forth between two pairs of vertices; a polygon is one shape, and not ours.
+    EXPECT_EQ(passed() + corrected() - seen, mode == GL_QUADS ? quads : mode == GL_QUAD_STRIP ? 2 * quads - 1 : 0u);
+    EXPECT_EQ(corrected() - mended, mode == GL_QUADS ? (quads + 4999) / 5000 : 0u);
+  }
 }
 
 TEST(Allocation, TheCounterCounts) {
