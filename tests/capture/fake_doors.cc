@@ -4,10 +4,12 @@
 #include <random>
 #include <type_traits>
 
+#include "capture/arrays.h"
 #include "capture/capture.h"
 #include "capture/list_compile.h"
 #include "capture/list_play.h"
 #include "capture/record.h"
+#include "capture/rect.h"
 #include "fake_gl.h"
 
 namespace truequad::fake {
@@ -38,6 +40,12 @@ Driver make_doors() {
   d.StencilOpSeparate = [](GLenum face, GLenum fail, GLenum zfail, GLenum pass) {
     stencil_op_separate(entry, face, fail, zfail, pass);
   };
+#define TQ_DRAW(name, parameters, arguments, draw)            \
+  d.name = [] parameters {                                    \
+    const auto own = [&] { entry.dispatch->name arguments; }; \
+    draw;                                                     \
+  };
+#include "capture/array_calls.inc"
   return d;
 }
 

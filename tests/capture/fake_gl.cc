@@ -391,6 +391,13 @@ struct Functions {
     }
     *out = g.queries[target];
   }
+  static void GLAPIENTRY get_pointer(GLenum name, void** out) {
+    Gl& g = gl();
+    if (!query(kCommandGetPointerv, name)) return;
+    const auto found = g.pointers.find(name);
+    if (found == g.pointers.end()) return g.error(GL_INVALID_ENUM);
+    *out = const_cast<void*>(found->second);
+  }
   static void GLAPIENTRY get_material(GLenum face, GLenum property, GLfloat* out) {
     Gl& g = gl();
     if (!query(kCommandGetMaterialfv, property)) return;
@@ -462,6 +469,7 @@ struct Functions {
     d.GetStringi = get_string_i;
     d.GetHandleARB = get_handle;
     d.GetQueryiv = get_query;
+    d.GetPointerv = get_pointer;
     d.GetMaterialfv = get_material;
     d.GetLightfv = get_light;
     d.Enable = enable;

@@ -53,6 +53,7 @@ class Gl {
   std::set<GLenum> enabled;                       // but those of texture units
   std::map<unsigned, std::set<GLenum>> unit_enabled;
   std::map<GLenum, GLint> queries;  // glGetQueryiv(CURRENT_QUERY)
+  std::map<GLenum, const void*> pointers;  // glGetPointerv
   std::map<GLenum, std::map<GLenum, std::vector<float>>> lights;  // glGetLightfv
   unsigned units = 8;
   bool logging = true;  // off: nothing below is kept that would allocate
