@@ -46,6 +46,9 @@ Driver make_doors() {
     draw;                                                     \
   };
 #include "capture/array_calls.inc"
+  // The fake driver knows no array's elements: to it these are calls like any other.
+  d.ArrayElement = door<&Driver::ArrayElement>(d.ArrayElement);
+  d.ArrayElementEXT = door<&Driver::ArrayElementEXT>(d.ArrayElementEXT);
   return d;
 }
 
