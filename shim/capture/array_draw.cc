@@ -169,11 +169,11 @@ class Drawing {
   }
   template <int size>
   bool parallelogram(const ArraySource& source) const {
-    float x[4][4] = {};
+    alignas(16) float x[4][4] = {};
     for (int i = 0; i < 4; ++i) {
       std::memcpy(x[i], source.bytes + source.stride * element_[quad_.corner[i]], size * sizeof(float));
     }
-    static constexpr float kSame[4][4] = {};
+    alignas(16) static constexpr float kSame[4][4] = {};
     return surely_affine(x, kSame);
   }
 

@@ -39,7 +39,7 @@ bool colours_may_kink(const Capture& c, const Quad& quad) {
   bool may = false;
   for_each_slot(c.live & kColourSlots, [&](Slot slot) {
     if (may || same_everywhere(c, slot, quad)) return;
-    float position[4][4], colour[4][4];
+    alignas(16) float position[4][4], colour[4][4];
     corners_of(c, kPosition, quad, position);
     corners_of(c, slot, quad, colour);
     if (surely_affine(position, colour)) return;

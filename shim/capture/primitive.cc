@@ -20,11 +20,15 @@
 namespace truequad {
 namespace {
 
-void set_state(Capture& c, State state) {
+void set(Capture& c, State state, SlotMask live) {
   c.state = state;
+  c.live = live;
   c.forwarding = state != State::kHeld;
+  c.forwarded = c.forwarding ? live : 0;
   c.usual = state == State::kOpen && c.textures_alone && c.mode != GL_POLYGON;
+  c.usual_vertex = c.usual && live == bit(kTexture);
 }
+void set_state(Capture& c, State state) { set(c, state, c.live); }
 
 void pass(Capture& c, Reason reason) {
   c.counters.pass(reason);
@@ -90,7 +94,7 @@ Corners corners_of(const Capture& c, Slot slot, const Quad& quad) {
 }
 
 bool surely_affine(const Capture& c, Slot texture, const Quad& quad) {
-  float position[4][4], coordinates[4][4];
+  alignas(16) float position[4][4], coordinates[4][4];
   for (int i = 0; i < 4; ++i) {
     std::memcpy(position[i], c.at[kPosition][quad.corner[i]].at, sizeof position[i]);
     std::memcpy(coordinates[i], c.at[texture][quad.corner[i]].at, sizeof coordinates[i]);
@@ -221,8 +225,7 @@ bool polygon_vertex(Capture& c) {
   // The fifth and further ones: no quad. The new vertex is in place 4, and goes out with the others.
   const bool held = c.state == State::kHeld;
   if (held) materialise(c);
-  set_state(c, State::kPassive);
-  c.live = ~SlotMask(0);
+  set(c, State::kPassive, ~SlotMask(0));
   c.extensions = ~0u;
   c.next = 4;  // further vertices overwrite it
   c.quads = 1;  // one shape, and not ours: nothing is left to count
@@ -291,13 +294,11 @@ void start(Capture& c, const Entry& e, GLenum mode) {
   c.textures_alone = !color && c.watch == Watch::kNothing;
   if (reason != Reason::kNone) {
     c.passive_reason = reason;
-    c.live = ~SlotMask(0);
     c.extensions = ~0u;
-    set_state(c, State::kPassive);
+    set(c, State::kPassive, ~SlotMask(0));
   } else {
-    c.live = 0;
     // In a list the first quad is held: Mesa draws a lone quad of three vertices that is compiled.
-    set_state(c, mode == GL_POLYGON || c.start_held || c.listing || c.relist ? State::kHeld : State::kOpen);
+    set(c, mode == GL_POLYGON || c.start_held || c.listing || c.relist ? State::kHeld : State::kOpen, 0);
   }
 }
 
@@ -307,7 +308,7 @@ Capture* capturing_thread(Entry& e) {
 }
 
 bool quad_complete(Capture& c) {
-  if ((c.live & kTextureSlots) == bit(kTexture) && usual_quad(c)) [[likely]] return true;
+  if (c.usual && (c.live & kTextureSlots) == bit(kTexture) && usual_quad(c)) [[likely]] return true;
   return finish_quad(c);
 }
 
@@ -331,7 +332,7 @@ void set_first(Capture& c, Slot slot) {
   if (c.state == State::kOpen && window.count > 0 && (live & c.judged)) {
     if (c.listing) {
       // What the earlier vertices have will be known when the list is called. Nothing is lost: this is the first such slot.
-      if (keep_from_here(c)) return void(c.live = live);
+      if (keep_from_here(c)) return set(c, c.state, live);
       abandon(c, Reason::kDisplayList);
       return;
     }
@@ -339,7 +340,7 @@ void set_first(Capture& c, Slot slot) {
     // The driver still has the value of the earlier vertices, and keeps it while we hold what follows.
     cut(c);
   }
-  c.live = live;
+  set(c, c.state, live);
 }
 
 void use_extension(Capture& c, unsigned extension) {
@@ -359,8 +360,7 @@ void abandon(Capture& c, Reason reason) {
   if (c.state == State::kHeld) materialise(c);
   c.extensions = ~0u;
   c.passive_reason = reason;
-  c.live = ~SlotMask(0);
-  set_state(c, State::kPassive);
+  set(c, State::kPassive, ~SlotMask(0));
 }
 
 void begin_quads(Entry& e, GLenum mode) {

@@ -60,7 +60,8 @@ inline bool may_lack_extension(Capture& c) {
 template <Row row, unsigned raw_size>
 inline Step attribute(Capture& c, Slot slot, const Float4& value, const void* raw) {
   if (may_lack_extension<row>(c)) return Step::kPending;
-  if (!(c.live & bit(slot))) [[unlikely]] {
+  const bool forwarded = c.forwarded & bit(slot);
+  if (!forwarded && !(c.live & bit(slot))) [[unlikely]] {
     c.pending = slot;
     return Step::kPending;
   }
@@ -70,7 +71,7 @@ inline Step attribute(Capture& c, Slot slot, const Float4& value, const void* ra
     c.raw_kept |= bit(slot);
     std::memcpy(c.now_raw[slot].bytes, raw, raw_size);
   }
-  return forward_if(c.forwarding);
+  return forward_if(forwarded);
 }
 
 inline void copy_slot(Capture& c, Slot slot, unsigned place) {
@@ -79,9 +80,10 @@ inline void copy_slot(Capture& c, Slot slot, unsigned place) {
   if (c.raw_kept & bit(slot)) [[unlikely]] c.raw[slot][place] = c.now_raw[slot];
 }
 
-// The rest of a vertex that has more than one texture coordinate, or none.
+// The rest of a vertex that is not usual.
 inline Step other_slots(Capture& c) {
   const unsigned place = c.next;
+  c.present[place] = c.live;
   if (c.state != State::kPassive) for_each_slot(c.live, [&](Slot slot) { copy_slot(c, slot, place); });
   c.next = place + 1;
   if (place == c.due) {
@@ -98,9 +100,8 @@ inline Step vertex(Capture& c, const Float4& position, const void* raw) {
   store_whole(c.at[kPosition][place], position);
   c.row[kPosition][place] = row.id;
   if constexpr (raw_size > 0) std::memcpy(c.raw[kPosition][place].bytes, raw, raw_size);
-  const SlotMask live = c.live;
-  c.present[place] = live;
-  if (live != bit(kTexture)) [[unlikely]] return Step::kOtherSlots;
+  if (!c.usual_vertex) [[unlikely]] return Step::kOtherSlots;
+  c.present[place] = bit(kTexture);
   copy_slot(c, kTexture, place);
   c.next = place + 1;
   if (place == c.due) {
@@ -108,7 +109,7 @@ inline Step vertex(Capture& c, const Float4& position, const void* raw) {
     c.pending = kPosition;
     return Step::kPending;
   }
-  return forward_if(c.forwarding);
+  return Step::kForward;
 }
 
 template <Row row, unsigned raw_size>

@@ -42,15 +42,17 @@ inline constexpr unsigned kWindow = 5;  // four corners, and one place for a pol
 struct Capture {
   // Hot: what every attribute and vertex call touches.
   SlotMask live = 0;        // set in this Begin; all ones while passive
+  SlotMask forwarded = 0;   // of these: calls go to the driver as well; none while held
   SlotMask raw_kept = 0;    // of these: some value needs its Raw
   std::uint32_t next = 0;   // place in the window of the next vertex
+  std::uint32_t turn = 0;   // what `due` changes by from quad to quad: a strip's pairs take turns
   std::uint32_t due = 0;    // place of the vertex that completes a quad
   State state = State::kPassive;
   bool forwarding = true;   // calls go to the driver: state != kHeld
   Watch watch = Watch::kNothing;
   bool textures_alone = true;  // decide about a quad: nothing to watch, and colours do not matter
   bool usual = false;       // open, textures alone decide, and no polygon: see usual_quad()
-  std::uint8_t turn = 0;    // what `due` changes by from quad to quad: a strip's pairs take turns
+  bool usual_vertex = false;  // and only the first texture's coordinates are live
   float order = kAround;    // of a quad's vertices in the window's first four places
   Slot pending = 0;         // what a recorder left to do (record.h): set this first, complete the quad, give up …
   std::uint32_t extensions = 0;  // bit i: the driver is known to have kExtensions[i], or it does not matter
@@ -115,8 +117,9 @@ inline WindowOrder window_order(const Capture& c) {
 
 // The next quad: of GL_QUADS four new vertices; of a strip the newer pair stays, and the older one makes room.
 inline void next_quad(Capture& c) {
-  c.next = c.due ^ 3;
-  c.due ^= c.turn;
+  const std::uint32_t due = c.due;
+  c.next = due ^ 3;
+  c.due = due ^ c.turn;
 }
 
 // The window's first four places: A B C D of GL_QUADS and GL_POLYGON, the two pairs of a strip.
@@ -125,11 +128,11 @@ inline const float (&corner_rows(const Capture& c, Slot slot))[4][4] {
   return reinterpret_cast<const float(&)[4][4]>(c.at[slot]);
 }
 
-// The usual quad: affine in its only texture, of an open primitive. True: it is counted, and its last vertex is forwarded
+// The usual quad: affine in its only texture, where c.usual. True: it is counted, and its last vertex is forwarded
 // like the others. Inline, so that a vertex call need save nothing for it.
 [[gnu::always_inline]] inline bool usual_quad(Capture& c) {
   // Which pair of a strip is the older one does not matter to the test.
-  if (!c.usual || !surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture), c.order)) return false;
+  if (!surely_affine(corner_rows(c, kPosition), corner_rows(c, kTexture), c.order)) return false;
   c.counters.pass(Reason::kAffine);
   ++c.quads;
   next_quad(c);

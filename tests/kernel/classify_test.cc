@@ -181,7 +181,7 @@ TEST(AffineFast, IsASubsetOfClassify) {
       x[3] = {x[0].x - x[1].x + x[2].x, x[0].y - x[1].y + x[2].y, x[0].z - x[1].z + x[2].z, 1};
       if (engine() % 2) x[engine() % 4].x += 0x1p-22 * unit(engine) * (1 + place);
     }
-    float position[4][4], texture[4][4];
+    alignas(16) float position[4][4], texture[4][4];
     for (int i = 0; i < 4; ++i) {
       const auto put = [&](float(&to)[4], Vec4& from) {
         to[0] = float(from.x), to[1] = float(from.y), to[2] = float(from.z), to[3] = float(from.w);
@@ -203,7 +203,7 @@ TEST(AffineFast, RefusesWhatIsNotFinite) {
                     std::numeric_limits<float>::max()}) {
     for (int corner = 0; corner < 4; ++corner) {
       for (int i = 0; i < 4; ++i) {
-        float position[4][4] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}}, texture[4][4];
+        alignas(16) float position[4][4] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}}, texture[4][4];
         std::copy(&position[0][0], &position[0][0] + 16, &texture[0][0]);
         EXPECT_TRUE(surely_affine(position, texture));
         position[corner][i] = bad;
