@@ -27,11 +27,15 @@ unsigned pointed_numbers([[maybe_unused]] GLenum property) {
   return row.size;
 }
 
-// Whether a call of glMaterial can be kept. Of glMaterial*v GL reads nothing unless it knows the property. Fixed-point numbers
+// Whether a call can be kept. Drivers reject packed numbers of a type that they do not know at once, not when the list is
+// called; which they know besides these two is theirs to say. Of glMaterial*v GL reads nothing unless it knows the property. Fixed-point numbers
 // are those of OpenGL ES 1.1 ("face … must be GL_FRONT_AND_BACK"), and drivers convert them before they compile: what is
 // wrong there is an error at once, not when the list is called.
 template <Row row>
-bool keepable([[maybe_unused]] GLenum face, [[maybe_unused]] GLenum property) {
+bool keepable([[maybe_unused]] GLenum face, [[maybe_unused]] GLenum property, [[maybe_unused]] GLenum packed_type) {
+  if constexpr (row.encoding == Encoding::kPacked) {
+    return packed_type == GL_UNSIGNED_INT_2_10_10_10_REV || packed_type == GL_INT_2_10_10_10_REV;
+  }
   if constexpr (row.family == Family::Material) {
     constexpr bool fixed = row.encoding == Encoding::kFixed;
     if (fixed && face != GL_FRONT_AND_BACK) return false;
@@ -79,9 +83,16 @@ struct Kept<row, member, void(GLAPIENTRY*)(Arguments...)> {
     else return 0;
   }
 
+  // The type of a packed number, behind the texture unit or the attribute.
+  static GLenum packed_type_of([[maybe_unused]] const std::tuple<Arguments...>& arguments) {
+    constexpr bool named = row.family == Family::MultiTexCoord || row.family == Family::VertexAttribP;
+    if constexpr (row.encoding == Encoding::kPacked) return std::get<named>(arguments);
+    else return 0;
+  }
+
   static void GLAPIENTRY call(Arguments... arguments) {
     const GLenum property = name_of<1>({arguments...});
-    if (!keepable<row>(name_of<0>({arguments...}), property)) {
+    if (!keepable<row>(name_of<0>({arguments...}), property, packed_type_of({arguments...}))) {
       return (open_driver_part(entry).*member)(arguments...);
     }
     if constexpr (row.family == Family::Vertex) keep_leading(entry);

@@ -140,9 +140,39 @@ void call_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
   if (!compile_calls(e, count, type, names)) e.dispatch->CallLists(count, type, names);
 }
 
+namespace {
+
+// Split lists of [first, first + count) are gone, with what the driver has of them under names of ours.
+void drop_split(ShareGroup& group, const Driver& driver, GLuint first, GLuint count) {
+  for (SplitList* list; (list = group.take(first, count));) {
+    for (const Part* part = list->first; part; part = part->next) {
+      if (is_hidden_part(*part, *list)) driver.DeleteLists(part->name, 1);
+    }
+    SplitList::release(list);
+  }
+}
+
+// The program's name of a list that is split while it is compiled is the driver's list with its first part. To the
+// program it is the list before that, until glEndList.
+bool compiles_split_among(const Entry& e, GLuint first, GLsizei count) {
+  if (!e.list || !e.list->split || (e.inside && e.list->mode == GL_COMPILE_AND_EXECUTE)) return false;
+  return e.list->name >= first && e.list->name - first < GLuint(count);
+}
+
+}  // namespace
+
 void delete_lists(Entry& e, GLuint first, GLsizei count) {
   barrier(e);
   ShareGroup* const group = group_of(e);
+  if (group && count > 0 && compiles_split_among(e, first, count)) {
+    const GLuint name = e.list->name;
+    drop_split(*group, *e.list->driver, name, 1);
+    e.list->existed = false;
+    const GLsizei before = GLsizei(name - first);
+    if (before > 0) delete_lists(e, first, before);
+    if (count - before > 1) delete_lists(e, name + 1, count - before - 1);
+    return;
+  }
   if (!group || count <= 0 || e.inside || (!group->any_hidden() && !group->any_split())) {
     return e.dispatch->DeleteLists(first, count);
   }
@@ -152,12 +182,7 @@ void delete_lists(Entry& e, GLuint first, GLsizei count) {
   const Driver& driver = e.list ? *e.list->driver : *e.driver;
   if (begin < from) driver.DeleteLists(first, GLsizei(std::min(end, from) - begin));
   if (end > to) driver.DeleteLists(GLuint(std::max(begin, to)), GLsizei(end - std::max(begin, to)));
-  for (SplitList* list; (list = group->take(first, GLuint(count)));) {
-    for (const Part* part = list->first; part; part = part->next) {
-      if (is_hidden_part(*part, *list)) driver.DeleteLists(part->name, 1);
-    }
-    SplitList::release(list);
-  }
+  drop_split(*group, driver, first, GLuint(count));
 }
 
 GLuint gen_lists(Entry& e, GLsizei count) {

@@ -1,5 +1,7 @@
 // Prints what a program can ask of display lists, and every error, with a quad in most of them that needs correction.
+#define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
+#include <GL/glext.h>
 
 #include <cstdio>
 #include <vector>
@@ -177,6 +179,42 @@ void ask_all() {
     glEndList();
     glCallList(60);
     say("list 0 in a list");
+    // A packed number of no such type is an error where it is given.
+    glNewList(61, mode);
+    quad();
+    glTexCoordP2ui(GL_FLOAT, 7);
+    std::printf("packed as what is not: error %x\n", glGetError());
+    quad();
+    glMultiTexCoordP2ui(GL_TEXTURE0, GL_TRIANGLES, 7);
+    std::printf("likewise of a unit: error %x\n", glGetError());
+    glBegin(GL_QUADS);
+    glTexCoord2f(0, 0), glVertex2f(-0.9f, -0.9f);
+    glTexCoord2f(1, 0), glVertex2f(0.9f, -0.9f);
+    glVertexAttribP4ui(3, GL_FLOAT, GL_FALSE, 7);
+    std::printf("likewise in a primitive: error %x\n", glGetError());
+    glTexCoord2f(1, 1), glVertex2f(0.3f, 0.9f);
+    glTexCoord2f(0, 1), glVertex2f(-0.3f, 0.9f);
+    glEnd();
+    glTexCoordP2ui(GL_INT_2_10_10_10_REV, 7 | 3 << 10);
+    glEndList();
+    glCallList(61);
+    say("packed in a list");
+    // The list that is being compiled is not there yet: what is deleted is the one before it.
+    for (int i = 0; i < 2; ++i) {
+      glNewList(62, mode);
+      glColor3f(0, 0.25f, 0.75f);
+      quad();
+      glDeleteLists(61, 4);
+      is(62);
+      glColor3f(0, 0.5f, 0.75f);
+      quad();
+      if (i == 1) glDeleteLists(62, 1);
+      glEndList();
+      is(62);
+      glColor3f(0, 0, 0), glTexCoord2f(0, 0);
+      glCallList(62);
+      say("deleted while it was compiled");
+    }
   }
   // A Begin that another list ends.
   glNewList(52, GL_COMPILE);
