@@ -17,12 +17,13 @@ struct Corner {
 Corner corner(std::uint32_t shape, int index, unsigned warp);
 
 // Current values, in groups.
-enum ValueGroup : unsigned { kColours = 1, kTextures = 2, kOtherValues = 4 };
+enum ValueGroup : unsigned { kColours = 1, kTextures = 2, kOtherValues = 4, kAllValues = 7 };
 void set_values(unsigned values);  // execute_arrays.cc
 
-// What is known of a list: the values that it sets outside of glBegin and glEnd, and between them; the lists that it calls.
+// What is known of a list: the values that it sets outside of glBegin and glEnd, and between them, and those that are open in
+// any case; the lists that it calls.
 struct ListValues {
-  unsigned loose = 0, in_primitives = 0;
+  unsigned loose = 0, in_primitives = 0, open = 0;
   std::uint32_t called = 0;
 };
 
@@ -38,6 +39,8 @@ struct Player {
   ListValues* compiled = nullptr;
   bool executed = false;         // as it is compiled
   bool in_primitive = false;
+  GLenum mode = GL_POINTS;       // of that primitive
+  int vertices = 0;              // of it, so far
   void* mapped = nullptr;
   std::int64_t mapped_size = 0;
 };
@@ -47,6 +50,8 @@ void execute(const Op& op, Player& player);
 // list_values.cc
 void note_new_list(Player& player, GLuint name, bool executed);
 void note_end_list(Player& player);
+void note_begin(Player& player, GLenum mode);
+void note_end(Player& player);
 void note_values(Player& player, unsigned values);
 std::uint32_t list_bit(GLuint name);
 void note_call(Player& player, std::uint32_t called);  // bits of lists

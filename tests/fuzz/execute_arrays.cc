@@ -125,9 +125,8 @@ void draw_elements(Random& random) {
 // "The current values are indeterminate after" a draw from arrays (GL 2.1 section 2.8): in lists Mesa leaves those of the
 // last element.
 void set_all_values(Player& player) {
-  constexpr unsigned kAll = kColours | kTextures | kOtherValues;
-  note_values(player, kAll);
-  set_values(kAll);
+  note_values(player, kAllValues);
+  set_values(kAllValues);
 }
 
 void buffer(Random& random, Player& player) {

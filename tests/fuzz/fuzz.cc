@@ -1,4 +1,4 @@
-// fuzz [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S]: random sequences of OpenGL calls without and with
+// fuzz [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--kinds 0123]: random sequences of OpenGL calls without and with
 // truequad, until the time or the trials are over, or so many findings were made (1). Each is shrunk for S seconds (30) and
 // printed; 0: only named. Exit 1 if any was.
 // fuzz --first N --write FILE: writes that sequence, for fuzz_program --file FILE --print.
@@ -24,6 +24,7 @@ struct Settings {
   int findings = 1;
   double shrink_seconds = 30;
   std::string write;
+  std::string kinds = "0123";
 };
 
 struct Tally {
@@ -42,7 +43,7 @@ class Fuzz {
     const std::uint64_t end = settings_.trials > ~trial ? ~std::uint64_t(0) : trial + settings_.trials;
     while (trial < end && elapsed() < settings_.seconds && tally_.findings < settings_.findings) {
       const std::uint64_t next = std::min(end, (trial / kBlock + 1) * kBlock);
-      block(trial, next);
+      if (settings_.kinds.find(char('0' + int(kind_of(trial)))) != std::string::npos) block(trial, next);
       trial = next;
     }
     std::printf("%llu sequences from %llu on in %.0f s: %d findings; %llu quads corrected in %llu of them; the driver alone crashed in %llu, and was "
@@ -98,8 +99,9 @@ int main(int count, char** arguments) {
     else if (name == "--seconds") settings.seconds = std::strtod(value, nullptr);
     else if (name == "--findings") settings.findings = std::atoi(value);
     else if (name == "--shrink") settings.shrink_seconds = std::strtod(value, nullptr);
+    else if (name == "--kinds") settings.kinds = value;
     else if (name == "--write") settings.write = value;
-    else return std::fprintf(stderr, "usage: %s [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--write FILE]\n", arguments[0]), 2;
+    else return std::fprintf(stderr, "usage: %s [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--kinds 0123] [--write FILE]\n", arguments[0]), 2;
   }
   std::string scratch = (std::filesystem::temp_directory_path() / "truequad_fuzz_XXXXXX").string();
   if (!settings.write.empty()) {

@@ -225,12 +225,12 @@ void record_errors() {
 
 void execute(const Op& op, Player& player) {
   switch (op.step) {
-    case Step::kBegin: player.in_primitive = true; return GL(Begin, GLenum(op.index));
-    case Step::kEnd: player.in_primitive = false; return GL(End);
+    case Step::kBegin: note_begin(player, GLenum(op.index)); return GL(Begin, GLenum(op.index));
+    case Step::kEnd: note_end(player); return GL(End);
     case Step::kTexCoord: note_values(player, kTextures); return execute_vertex(op);
-    case Step::kVertex: return execute_vertex(op);
+    case Step::kVertex: ++player.vertices; return execute_vertex(op);
     case Step::kAttribute:
-      note_values(player, op.warp & kOneSlot ? kColours : kColours | kTextures | kOtherValues);
+      note_values(player, op.warp & kOneSlot ? kColours : kAllValues);
       return execute_attribute(op);
     case Step::kMaterial: return execute_material(op);
     case Step::kNewList: case Step::kEndList: case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists:

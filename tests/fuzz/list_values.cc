@@ -1,6 +1,6 @@
-// Which current values a list leaves as Mesa has them rather than OpenGL: an attribute that a list sets outside of glBegin and
-// glEnd is still in force after a primitive of the list set it again (README.md). The sequence sets these anew, so that what
-// follows is defined.
+// Which current values a list leaves as Mesa has them rather than OpenGL: those that it sets outside of glBegin and glEnd and
+// in a primitive too, and all after a primitive whose last vertices draw nothing (README.md). The sequence sets these anew,
+// so that what follows is defined.
 #include "execute.h"
 
 namespace truequad::fuzz {
@@ -22,6 +22,34 @@ void note_values(Player& player, unsigned values) {
   (player.in_primitive ? player.compiled->in_primitives : player.compiled->loose) |= values;
 }
 
+void note_begin(Player& player, GLenum mode) {
+  player.in_primitive = true;
+  player.mode = mode;
+  player.vertices = 0;
+}
+
+namespace {
+
+bool last_vertices_draw(GLenum mode, int vertices) {
+  switch (mode) {
+    case GL_POINTS: return vertices > 0;
+    case GL_LINES: return vertices > 0 && vertices % 2 == 0;
+    case GL_LINE_STRIP: case GL_LINE_LOOP: return vertices > 1;
+    case GL_TRIANGLES: return vertices > 0 && vertices % 3 == 0;
+    case GL_QUADS: return vertices > 0 && vertices % 4 == 0;
+    case GL_QUAD_STRIP: return vertices > 3 && vertices % 2 == 0;
+    default: return vertices > 2;
+  }
+}
+
+}  // namespace
+
+void note_end(Player& player) {
+  const bool matched = player.in_primitive;
+  player.in_primitive = false;
+  if (player.compiled && (!matched || !last_vertices_draw(player.mode, player.vertices))) player.compiled->open = kAllValues;
+}
+
 void note_call(Player& player, std::uint32_t called) {
   if (player.compiled) player.compiled->called |= called;
   if (player.compiled && !player.executed) return;
@@ -40,15 +68,19 @@ unsigned values_left_open(const Player& player, std::uint32_t called) {
       if (called >> i & 1) called |= player.lists[i].called;
     }
   }
-  unsigned loose = 0, in_primitives = 0;
+  unsigned loose = 0, in_primitives = 0, open = 0;
   for (int i = 0; i < Player::kLists; ++i) {
-    if (called >> i & 1) loose |= player.lists[i].loose, in_primitives |= player.lists[i].in_primitives;
+    if (!(called >> i & 1)) continue;
+    loose |= player.lists[i].loose;
+    in_primitives |= player.lists[i].in_primitives;
+    open |= player.lists[i].open;
   }
-  return loose & in_primitives;
+  return open | (loose & in_primitives);
 }
 
 void note_end_list(Player& player) {
   if (!player.compiled) return;
+  if (player.in_primitive) note_end(player);
   const std::uint32_t list = 1u << (player.compiled - player.lists);
   player.compiled = nullptr;
   if (player.executed) set_values(values_left_open(player, list));
