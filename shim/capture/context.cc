@@ -11,7 +11,7 @@
 namespace truequad {
 
 constinit thread_local Entry entry [[gnu::tls_model("initial-exec")]] = {
-    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, 0, false, false};
+    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, false, 0, false, nullptr};
 
 namespace {
 

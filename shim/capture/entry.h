@@ -21,6 +21,7 @@ struct Entry {
   bool relisting;          // and quads that need no correction are compiled again (relist.h)
   int list_depth;          // lists that call each other
   bool arrays_known;       // context->arrays is what the driver has (array_state.h)
+  const ListCompile* executing;  // a list whose calls are made as they are compiled, while `list` is null for it
 };
 
 // The real functions while no context is current. Defined, and never unusable, by whoever links the capture: the doors,

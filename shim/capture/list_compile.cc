@@ -23,11 +23,14 @@ void set_driver(Entry& e, const Driver* driver) {
 template <typename F>
 void outside_list(Entry& e, F f) {
   ListCompile* const list = e.list;
+  const ListCompile* const outer = e.executing;
   const Driver* const driver = e.driver;
+  e.executing = list;
   e.list = nullptr;
   set_driver(e, list->driver);
   f();
   e.list = list;
+  e.executing = outer;
   set_driver(e, driver);
 }
 
@@ -236,6 +239,11 @@ const Driver& open_driver_part(Entry& e) {
   part->name = name;
   e.driver->NewList(name, list.mode);
   return *list.driver;
+}
+
+bool is_unborn(const Entry& e, GLuint name) {
+  const ListCompile* const list = e.list ? e.list : e.executing;
+  return list && list->split && !list->existed && list->name == name;
 }
 
 const Driver* real_driver(const Entry& e) { return e.list ? e.list->driver : e.driver; }

@@ -48,6 +48,10 @@ void keep_leading(Entry& entry);
 // GL_COMPILE_AND_EXECUTE it would not: then a call is only made, and the list lacks it.)
 const Driver& open_driver_part(Entry& entry);
 
+// The list is being compiled, and the driver has its first part already, but to the program there is no such list until
+// glEndList.
+bool is_unborn(const Entry& entry, GLuint name);
+
 // The real functions, whatever entry.driver is while a list is compiled.
 const Driver* real_driver(const Entry& entry);
 // The driver's part ends here; what follows is kept. The driver must be outside Begin/End, unless in GL_COMPILE. False

@@ -71,7 +71,7 @@ void play(Entry& e, const SplitList& list) {
 
 void play_list(Entry& e, GLuint name) {
   ShareGroup* const group = group_of(e);
-  if (group && group->is_hidden(name)) return;  // to the program there is no such list
+  if ((group && group->is_hidden(name)) || is_unborn(e, name)) return;  // to the program there is no such list
   SplitList* const list = group ? group->find(name) : nullptr;
   if (!list || (e.list && list->whole)) {
     SplitList::release(list);
@@ -88,7 +88,8 @@ void play_list(Entry& e, GLuint name) {
 
 void play_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
   ShareGroup* const group = group_of(e);
-  if (!group || !group->any_split() || count <= 0 || !is_name_type(type)) {
+  const bool any_split = group && (group->any_split() || e.executing || e.list);
+  if (!any_split || count <= 0 || !is_name_type(type)) {
     barrier(e);
     return e.driver->CallLists(count, type, names);
   }

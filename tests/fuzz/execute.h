@@ -38,6 +38,7 @@ struct Player {
   ListValues lists[kLists];      // by name; 0: all others
   ListValues* compiled = nullptr;
   bool executed = false;         // as it is compiled
+  bool redefined = false;        // there was such a list before
   bool in_primitive = false;
   GLenum mode = GL_POINTS;       // of that primitive
   int vertices = 0;              // of it, so far
@@ -49,6 +50,8 @@ void execute(const Op& op, Player& player);
 
 // list_values.cc
 void note_new_list(Player& player, GLuint name, bool executed);
+// These lists call the one that is being compiled, executed, and defined anew.
+bool call_redefined(const Player& player, std::uint32_t called);
 void note_end_list(Player& player);
 void note_begin(Player& player, GLenum mode);
 void note_end(Player& player);

@@ -60,10 +60,12 @@ void execute_list(const Op& op, Player& player) {
       return note_end_list(player);
     case Step::kCallList: {
       const GLuint name = op.index > 0 ? GLuint(op.index) : list_name(random, player);
+      if (call_redefined(player, list_bit(name))) return;
       GL(CallList, name);
       return note_call(player, list_bit(name));
     }
     case Step::kCallLists:
+      if (call_redefined(player, ~0u)) return;
       call_lists(random, player);
       return note_call(player, ~0u);
     case Step::kDeleteLists: {

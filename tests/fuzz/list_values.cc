@@ -14,6 +14,7 @@ void note_new_list(Player& player, GLuint name, bool executed) {
   player.compiled = &player.lists[place_of_list(name)];
   *player.compiled = {};
   player.executed = executed;
+  player.redefined = executed && gl.IsList(name);
   player.in_primitive = false;
 }
 
@@ -60,14 +61,23 @@ void note_call(Player& player, std::uint32_t called) {
 
 std::uint32_t list_bit(GLuint name) { return 1u << place_of_list(name); }
 
-// Of these lists, and of all that they call.
-unsigned values_left_open(const Player& player, std::uint32_t called) {
+// With all lists that they call.
+std::uint32_t closure(const Player& player, std::uint32_t called) {
   for (std::uint32_t before = 0; before != called;) {
     before = called;
     for (int i = 0; i < Player::kLists; ++i) {
       if (called >> i & 1) called |= player.lists[i].called;
     }
   }
+  return called;
+}
+
+bool call_redefined(const Player& player, std::uint32_t called) {
+  return player.compiled && player.redefined && (closure(player, called) >> (player.compiled - player.lists) & 1);
+}
+
+unsigned values_left_open(const Player& player, std::uint32_t called) {
+  called = closure(player, called);
   unsigned loose = 0, in_primitives = 0, open = 0;
   for (int i = 0; i < Player::kLists; ++i) {
     if (!(called >> i & 1)) continue;

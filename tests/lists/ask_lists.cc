@@ -277,6 +277,20 @@ void ask_all() {
     std::printf("normal %g %g %g\n", now[0], now[1], now[2]);
     say("a call that is missing in a primitive");
   }
+  // A list is what it was, or is not, until its end.
+  glPushMatrix();
+  glLoadIdentity();
+  const GLubyte itself_and_more[] = {61, 50, 61};
+  glNewList(61, GL_COMPILE_AND_EXECUTE);
+  glTranslatef(1, 0, 0);
+  quad();
+  glCallList(61);
+  glTranslatef(0, 1, 0);
+  glCallLists(3, GL_UNSIGNED_BYTE, itself_and_more);
+  glEndList();
+  glGetFloatv(GL_MODELVIEW_MATRIX, matrix);
+  std::printf("moved by %g %g error %x\n", matrix[12], matrix[13], glGetError());
+  glPopMatrix();
   // An error where it is called, not when the list is.
   const auto material = reinterpret_cast<void (*)(GLenum, GLenum, GLint)>(OSMesaGetProcAddress("glMaterialxOES"));
   const auto materials = reinterpret_cast<void (*)(GLenum, GLenum, const GLint*)>(OSMesaGetProcAddress("glMaterialxvOES"));
