@@ -124,9 +124,22 @@ Options read_options(const char* (*lookup)(const char*)) {
   return result;
 }
 
-const Options& options() {
-  static const Options kept = read_options([](const char* variable) -> const char* { return std::getenv(variable); });
+namespace {
+
+Options& kept_options() {
+  static Options kept = read_options([](const char* variable) -> const char* { return std::getenv(variable); });
   return kept;
+}
+
+}  // namespace
+
+const Options& options() { return kept_options(); }
+
+void stand_back() {
+  Options& kept = kept_options();
+  kept.mode = Mode::kOff;
+  kept.color = kept.overlay = false;
+  kept.stats_path[0] = '\0';
 }
 
 std::string_view mode_name(Mode mode) {

@@ -46,6 +46,9 @@ inline constexpr std::string_view kVendorWords = "the driver's vendor libraries,
 // stderr and leaves the default. May be called from any thread.
 const Options& options();
 
+// Another copy of this library does the work: from now on nothing is corrected, counted or written.
+void stand_back();
+
 // What options() does, without keeping the result: for tests.
 Options read_options(const char* (*lookup)(const char* variable));
 

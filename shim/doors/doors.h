@@ -26,6 +26,10 @@ void* symbol_of_handle(void* handle, const char* name, const void* caller);
 // name, and dlerror() now says so.
 bool is_ours_alone(void* scope, const char* name);
 
+// A process may have several copies of this library: preloaded, linked, by library path, as a vendor library. The first of
+// the global scope works; in all others this makes every call pass. For paths that are taken seldom, before a context is known.
+void let_first_copy_work();
+
 // From the first GL call on, the end of the process is noticed: exit, quick_exit, _exit and _Exit.
 void watch_exit();
 

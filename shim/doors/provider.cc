@@ -73,6 +73,7 @@ Api api_of(const Driver* driver) {
 [[gnu::noinline, gnu::no_sanitize("thread")]] void store_function(void* volatile* slot, void* function) { *slot = function; }
 
 void* resolve(CommandIndex index) {
+  let_first_copy_work();
   watch_exit();
   const Driver* driver = real_driver(entry);
   const Api api = api_of(driver);

@@ -46,6 +46,7 @@ class Real<Result (*)(Parameters...)> {
 void settle() { barrier(entry); }
 
 void made_current(Api api, const void* context) {
+  let_first_copy_work();
   // A thread may release an API that is not the one it draws with.
   if (!context && real_driver(entry) != driver_of(api)) return;
   context_made_current(entry, context, driver_of(api));

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kOwnGlx[] = "truequad";
+constexpr char kOwnGlx[] = "truequad", kFrontEnds[] = "truequad-libraries";
 
 std::string variable(const char* name) {
   const char* text = std::getenv(name);
@@ -97,11 +97,19 @@ std::set<std::string> egl_vendors() {
   return names;
 }
 
+// Within a program that truequad stands behind or before already: the driver's names stand in TRUEQUAD_VENDOR, or ours is the
+// first libGL.
+bool is_vendor() { return variable("__GLX_VENDOR_LIBRARY_NAME") == kOwnGlx && !variable("TRUEQUAD_VENDOR").empty(); }
+bool is_front_end(const std::string& library, const fs::path& directory) {
+  std::error_code error;
+  return fs::equivalent(library, directory / kFrontEnds / "libGL.so.1", error);
+}
+
 }  // namespace
 
 std::string become_vendor(const fs::path& directory) {
-  // Started by a program that has it already: the driver's names stand in TRUEQUAD_VENDOR.
-  if (variable("__GLX_VENDOR_LIBRARY_NAME") == kOwnGlx && !variable("TRUEQUAD_VENDOR").empty()) return "";
+  // Started by a program that has one of these doors already: one is enough.
+  if (is_vendor() || is_front_end(file_of("libGL.so.1"), directory)) return "";
   const std::set<std::string> glx = glx_vendors(), egl = egl_vendors();
   if (glx.empty() && egl.empty()) return "--vendor: there is no vendor library of libglvnd here";
   if (glx.size() > 1) return "--vendor: which of " + list(glx) + " draws? Set __GLX_VENDOR_LIBRARY_NAME";
@@ -125,12 +133,12 @@ std::string become_vendor(const fs::path& directory) {
 }
 
 std::string stand_for_libraries(const fs::path& directory) {
-  const fs::path own = directory / "truequad-libraries";
+  if (is_vendor()) return "";
+  const fs::path own = directory / kFrontEnds;
   std::error_code error;
   if (!fs::exists(own / "libGL.so.1", error)) return "--library-path: " + (own / "libGL.so.1").string() + " is missing";
   const std::string here = file_of("libGL.so.1");
-  // Within a program that was started like this ours is the first already.
-  if (fs::equivalent(here, own / "libGL.so.1", error)) return "";
+  if (is_front_end(here, directory)) return "";
   // What stands behind ours was decided when it was linked.
   if (!fs::equivalent(here, TRUEQUAD_BEHIND_GL, error)) {
     return "--library-path: libGL.so.1 is " + (here.empty() ? "missing" : here) + " here, not " TRUEQUAD_BEHIND_GL;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <map>
@@ -134,6 +135,49 @@ TEST(Neighbours, ApitraceRecordsInEitherOrder) {
     const std::size_t before = traced(tracer + ":" + kLibrary, "before"), behind = traced(kLibrary + ":" + tracer, "behind");
     EXPECT_GT(before, 1000u) << program[0];
     EXPECT_GT(behind, before + 1000) << program[0];
+  }
+}
+
+// Two copies of truequad in one process: the first works, the other passes everything on. One door within another: one is enough.
+TEST(Copies, OneWorks) {
+  const std::string corrected = run_steadily(loader("linked"), {{"LD_PRELOAD", kLibrary}}).out;
+  const Scratch scratch;
+  const std::string copy = scratch / "libtruequad-copy.so";
+  std::ofstream(copy, std::ios::binary) << read_file(kLibrary);
+  const auto within = [](const Words& outer, const Words& inner, const Words& program) {
+    Words words = {TRUEQUAD_COMMAND};
+    words.insert(words.end(), outer.begin(), outer.end());
+    if (!inner.empty()) words.insert(words.end(), inner.begin(), inner.end());
+    words.insert(words.end(), program.begin(), program.end());
+    return words;
+  };
+  const Words preloading = {TRUEQUAD_COMMAND};
+  const Words library_path = {TRUEQUAD_COMMAND, "--library-path"}, vendor = {TRUEQUAD_COMMAND, "--vendor"};
+  const struct {
+    const char* name;
+    std::string preload;
+    Words words;
+  } kCases[] = {
+      {"preloaded twice", kLibrary + ":" + copy, loader("linked")},
+      {"preloaded before libraries", kLibrary, within({"--library-path"}, {}, loader("linked"))},
+      {"preloaded before a vendor", kLibrary, within({"--vendor"}, {}, loader("linked"))},
+      {"a copy before a vendor", copy, within({"--vendor"}, {}, loader("linked"))},
+      {"preloaded within libraries", "", within({"--library-path"}, preloading, loader("linked"))},
+      {"preloaded within a vendor", "", within({"--vendor"}, preloading, loader("linked"))},
+      {"libraries within a vendor", "", within({"--vendor"}, library_path, loader("linked"))},
+      {"a vendor within libraries", "", within({"--library-path"}, vendor, loader("linked"))},
+      {"preloaded before libraries, raw", kLibrary, within({"--library-path"}, {}, loader("raw", {"local"}))},
+      {"preloaded before libraries, OSMesa", kLibrary, within({"--library-path"}, {}, loader("osmesa_linked"))},
+  };
+  for (const auto& [name, preload, words] : kCases) {
+    SCOPED_TRACE(name);
+    const Ended ended = run_steadily(words, {{"LD_PRELOAD", preload}, {"TRUEQUAD_STATS", "-"}});
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_EQ(ended.out, corrected);
+    // Written once, by the copy that counted.
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    const auto stats = nlohmann::json::parse(ended.err, nullptr, false);
+    EXPECT_TRUE(stats.is_object() && stats.value("corrected", -1) == 1) << ended.err;
   }
 }
 
