@@ -79,8 +79,8 @@ struct PaperThresholds {
 };
 
 struct Limits {
-  double tolerance_px = 0.25;  // largest displacement of a texel, pixels of the viewport
-  double colour_steps = 0.5;   // largest error of a colour channel, steps of 1/255
+  double tolerance_px = 0.25;  // largest displacement of a texel, pixels of the viewport, 1e-3 .. 1e6
+  double colour_steps = 0.5;   // largest error of a colour channel, steps of 1/255, 1e-3 .. 255
   int max_triangles = 4096;    // cap for one quad, 4 .. kMaxTriangles
   PaperThresholds paper;
 };
