@@ -18,8 +18,8 @@ constexpr int kDepth = 6;
 constexpr double kMaxInset = 0.3;
 // Smallest: an inserted vertex must stay off the edge when its position is rounded to single precision.
 constexpr double kMinInset = 0x1p-20;
-// And when a rasteriser snaps it, or its triangles would cover pixels beyond the edge. In widths of the grid: each vertex, and
-// each end of the edge, moves by half of one in x and in y.
+// And when it is rounded, and a rasteriser snaps it, or its triangles would cover pixels beyond the edge. In widths of the grid
+// and what rounding moves: each vertex, and each end of the edge, moves by half a width in x and in y.
 constexpr double kMinInsetSteps = 1.5;
 // Smallest mesh with a block that touches no side.
 constexpr int kSmallestBlock = 12;
@@ -208,7 +208,7 @@ class BlockSearch {
         lines_px_((model.rasteriser.exact() ? kMargin : kRasteriserMargin) * aim_px_) {
     shrink_.fill(model.rasteriser.exact() ? kMargin : kInsetMargin);
     for (int side = 0; side < 4; ++side) {
-      const double off_px = kMinInsetSteps * model.rasteriser.snap_px;
+      const double off_px = kMinInsetSteps * budget.snap_px;
       least_inset_[std::size_t(side)] = std::max(kMinInset, model.screen.parameter_at(side, off_px, kMaxInset));
     }
   }
@@ -385,8 +385,8 @@ class BlockSearch {
 void plan_bilinear(const ErrorModel& model, const Budget& budget, Plan& plan) {
   const std::array<MeshPoint, 4> corner{model.screen.mesh_point(0, 0), model.screen.mesh_point(1, 0),
                                         model.screen.mesh_point(1, 1), model.screen.mesh_point(0, 1)};
-  const double native = two_triangles(model, corner, budget.mesh_px);
-  if (native <= budget.mesh_px) {
+  const double native = two_triangles(model, corner, budget.native_px);
+  if (native <= budget.native_px) {
     plan.action = Action::kPass;
     plan.reason = PassReason::kWithinTolerance;
     plan.bound_px = native + budget.snap_px;

@@ -70,7 +70,9 @@ Budget kernel::make_budget(const Limits& limits, const View& view, double roundi
   budget.snap_px = positive(view.snap_px, 0, 0, 1) + rounding_px;
   // A tolerance of the order of the rasteriser's own grid leaves half of it to the mesh; the bound says the
   // rest.
-  budget.mesh_px = std::max(budget.tolerance_px - budget.snap_px, budget.tolerance_px / 2);
+  budget.native_px = std::max(budget.tolerance_px - budget.snap_px, budget.tolerance_px / 2);
+  // Cells of a mesh that is much finer than rounding would fold, and cover pixels more than once.
+  budget.mesh_px = std::max(budget.native_px, rounding_px / 2);
   budget.colour_steps = positive(limits.colour_steps, defaults.colour_steps, 1e-3, 255);
   budget.max_triangles = std::clamp(limits.max_triangles, 4, kMaxTriangles);
   budget.paper.object = positive(limits.paper.object, defaults.paper.object, 0, 2);

@@ -11,8 +11,9 @@ namespace truequad::kernel {
 
 // Limits in their valid range, with the part of the tolerance that is left to the mesh once its vertices have been rounded
 // and snapped, which moves what is drawn by `snap_px`; `rounding_px` of it by rounding.
+// `native_px` of it is left to the two triangles if they shall stay.
 struct Budget {
-  double tolerance_px, snap_px, rounding_px, mesh_px, colour_steps;
+  double tolerance_px, snap_px, rounding_px, native_px, mesh_px, colour_steps;
   int max_triangles;
   PaperThresholds paper;
 };

@@ -33,6 +33,17 @@ void expect_promises_kept(const Job& job, const Settings& settings) {
 
 std::string name_of(const Family& family) { return std::string(family.name); }
 
+// Pixels of one trial that are not touched as often.
+long differing_layers(const Job& job, const Pictures& a, const Pictures& b, int trial) {
+  long differing = 0;
+  for (int y = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x) {
+      differing += a.pixel(trial, kLayersPass, x, y)[0] != b.pixel(trial, kLayersPass, x, y)[0];
+    }
+  }
+  return differing;
+}
+
 class EveryFamily : public testing::TestWithParam<Family> {};
 
 TEST_P(EveryFamily, KeepsTheTolerance) {
@@ -100,6 +111,16 @@ TEST_P(EveryInterface, LeavesAffineScenesBitIdentical) {
   }
 }
 
+// However much of a pixel the rounding of vertices moves them, and however small the tolerance.
+TEST_P(EveryInterface, CoversWhatTwoTrianglesCoverFarAway) {
+  const Job job{GetParam(), "far_away", 1000, 200, 120, 90};
+  const Pictures native = draw(job, std::nullopt), corrected = draw(job, Settings{"bilinear", 0.02});
+  ASSERT_FALSE(HasFailure());
+  for (int trial = 0; trial < job.seeds; ++trial) {
+    EXPECT_EQ(differing_layers(job, native, corrected, trial), 0) << "seed " << job.first + unsigned(trial);
+  }
+}
+
 // The vertices of a sheet are shared, its edges not split: no gap and no pixel twice, as without truequad.
 TEST_P(EveryInterface, KeepsASheetWhole) {
   const Job job{GetParam(), "mesh", 9500, 10, 300, 300};
@@ -107,14 +128,7 @@ TEST_P(EveryInterface, KeepsASheetWhole) {
   ASSERT_FALSE(HasFailure());
   EXPECT_GT(corrected.statistics.corrected, 0);
   for (int trial = 0; trial < job.seeds; ++trial) {
-    long differing = 0;
-    for (int y = 0; y < job.height; ++y) {
-      for (int x = 0; x < job.width; ++x) {
-        differing +=
-            native.pixel(trial, kLayersPass, x, y)[0] != corrected.pixel(trial, kLayersPass, x, y)[0];
-      }
-    }
-    EXPECT_EQ(differing, 0) << "seed " << job.first + unsigned(trial);
+    EXPECT_EQ(differing_layers(job, native, corrected, trial), 0) << "seed " << job.first + unsigned(trial);
   }
 }
 
