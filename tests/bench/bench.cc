@@ -1,13 +1,16 @@
 // What calls cost: quads and triangles sent in immediate mode and from arrays to Mesa's driver that draws nothing (OSMesa
 // with GALLIUM_NOOP=1), so that what is left is the cost of the calls. The program knows nothing of truequad;
 // compare.py runs it without and with it.
+#define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
+#include <GL/glext.h>
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 #include <sys/resource.h>
 
 #include <array>
 #include <climits>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -156,6 +159,41 @@ void arrays_affine_strip(benchmark::State& state) { run_from_arrays(state, GL_QU
 void arrays_affine_one_by_one(benchmark::State& state) { run_from_arrays(state, GL_QUADS, quads(false), 4); }
 void arrays_corrected(benchmark::State& state) { run_from_arrays(state, GL_QUADS, quads(true), 0); }
 
+// From a buffer whose contents are uploaded anew before each call, as programs do that move their vertices themselves.
+enum class Upload { kSubData, kData, kMap };
+template <Upload upload>
+void run_stream(benchmark::State& state, GLenum mode, const std::vector<Vertex>& vertices) {
+  const GLsizeiptr size = GLsizeiptr(vertices.size() * sizeof(Vertex));
+  GLuint buffer;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, size, vertices.data(), GL_STREAM_DRAW);
+  glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), nullptr);
+  glVertexPointer(3, GL_FLOAT, sizeof(Vertex), reinterpret_cast<const void*>(offsetof(Vertex, x)));
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  const CountedFaults faults(state);
+  for (auto _ : state) {
+    if (upload == Upload::kSubData) glBufferSubData(GL_ARRAY_BUFFER, 0, size, vertices.data());
+    if (upload == Upload::kData) glBufferData(GL_ARRAY_BUFFER, size, vertices.data(), GL_STREAM_DRAW);
+    if (upload == Upload::kMap) {
+      void* const to = glMapBufferRange(GL_ARRAY_BUFFER, 0, size, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+      std::memcpy(to, vertices.data(), std::size_t(size));
+      glUnmapBuffer(GL_ARRAY_BUFFER);
+    }
+    glDrawArrays(mode, 0, GLsizei(vertices.size()));
+  }
+  glDisableClientState(GL_VERTEX_ARRAY);
+  glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glDeleteBuffers(1, &buffer);
+}
+
+void stream_sub_data(benchmark::State& state) { run_stream<Upload::kSubData>(state, GL_QUADS, quads(false)); }
+void stream_data(benchmark::State& state) { run_stream<Upload::kData>(state, GL_QUADS, quads(false)); }
+void stream_map(benchmark::State& state) { run_stream<Upload::kMap>(state, GL_QUADS, quads(false)); }
+void stream_triangles(benchmark::State& state) { run_stream<Upload::kSubData>(state, GL_TRIANGLES, triangles()); }
+
 BENCHMARK(affine_in_one);
 BENCHMARK(affine_one_by_one);
 BENCHMARK(affine_strip);
@@ -169,6 +207,10 @@ BENCHMARK(arrays_affine);
 BENCHMARK(arrays_affine_strip);
 BENCHMARK(arrays_affine_one_by_one);
 BENCHMARK(arrays_corrected);
+BENCHMARK(stream_sub_data);
+BENCHMARK(stream_data);
+BENCHMARK(stream_map);
+BENCHMARK(stream_triangles);
 
 bool open_canvas() {
   constexpr int kSize = 640;
