@@ -1,7 +1,6 @@
 // Shape is a property of the quad, not of its units, place or view.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
