@@ -18,7 +18,7 @@ declare -A truequad_packages=(
   # Real programs that draw quads, and the X server without a screen that they run on.
   [programs]="xvfb xauth libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb-dev libegl-dev libgl-dev libx11-dev
     xscreensaver-gl xscreensaver-gl-extra rss-glx puredata-core gem gltron libopencsg-example openuniverse
-    piglit"
+    dosbox imagemagick piglit"
 )
 
 packages_of() {
