@@ -198,6 +198,11 @@ GLuint gen_lists(Entry& e, GLsizei count) {
     // "A contiguous set of count previously unused display list names": empty lists, as it makes them itself.
     const Driver& driver = *real_driver(e);
     for (GLuint name = largest + 1; name <= largest + GLuint(count); ++name) {
+      if (compiles_split_among(e, name, 1)) {
+        // The driver has its first part there.
+        e.list->existed = true;
+        continue;
+      }
       driver.NewList(name, GL_COMPILE);
       driver.EndList();
     }

@@ -291,6 +291,21 @@ void ask_all() {
   glGetFloatv(GL_MODELVIEW_MATRIX, matrix);
   std::printf("moved by %g %g error %x\n", matrix[12], matrix[13], glGetError());
   glPopMatrix();
+  // The number that is being compiled may be given out: there is no such list yet.
+  const GLuint given = glGenLists(1);
+  glDeleteLists(given, 1);
+  glNewList(given + 1, GL_COMPILE);
+  glSecondaryColor3f(0.25f, 0.5f, 0.75f);
+  quad();
+  std::printf("gen %d\n", glGenLists(3) == given);
+  is(given + 1);
+  glEndList();
+  is(given + 1);
+  glCallList(given + 1);
+  GLfloat secondary[4];
+  glGetFloatv(GL_CURRENT_SECONDARY_COLOR, secondary);
+  std::printf("secondary %g %g %g\n", secondary[0], secondary[1], secondary[2]);
+  glDeleteLists(given, 3);
   // An error where it is called, not when the list is.
   const auto material = reinterpret_cast<void (*)(GLenum, GLenum, GLint)>(OSMesaGetProcAddress("glMaterialxOES"));
   const auto materials = reinterpret_cast<void (*)(GLenum, GLenum, const GLint*)>(OSMesaGetProcAddress("glMaterialxvOES"));
