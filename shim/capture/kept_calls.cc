@@ -28,26 +28,24 @@ unsigned pointed_numbers([[maybe_unused]] GLenum property) {
 }
 
 // Whether a call can be kept. Drivers reject packed numbers of a type that they do not know at once, not when the list is
-// called; which they know besides these two is theirs to say. Of glMaterial*v GL reads nothing unless it knows the property. Fixed-point numbers
-// are those of OpenGL ES 1.1 ("face … must be GL_FRONT_AND_BACK"), and drivers convert them before they compile: what is
-// wrong there is an error at once, not when the list is called.
+// called; which they know besides these two is theirs to say. Materials of fixed-point numbers Mesa sets at once, while a list
+// is compiled, and compiles nothing. Of glMaterial*v GL reads nothing unless it knows the property.
 template <Row row>
-bool keepable([[maybe_unused]] GLenum face, [[maybe_unused]] GLenum property, [[maybe_unused]] GLenum packed_type) {
+bool keepable([[maybe_unused]] GLenum property, [[maybe_unused]] GLenum packed_type) {
   if constexpr (row.encoding == Encoding::kPacked) {
     return packed_type == GL_UNSIGNED_INT_2_10_10_10_REV || packed_type == GL_INT_2_10_10_10_REV;
   }
   if constexpr (row.family == Family::Material) {
-    constexpr bool fixed = row.encoding == Encoding::kFixed;
-    if (fixed && face != GL_FRONT_AND_BACK) return false;
-    if constexpr (!row.vector) return !fixed || property == GL_SHININESS;
+    if (row.encoding == Encoding::kFixed) return false;
+    if constexpr (!row.vector) return true;
     switch (property) {
       case GL_AMBIENT:
       case GL_DIFFUSE:
       case GL_SPECULAR:
       case GL_EMISSION:
       case GL_SHININESS:
-      case GL_AMBIENT_AND_DIFFUSE: return true;
-      case GL_COLOR_INDEXES: return !fixed;
+      case GL_AMBIENT_AND_DIFFUSE:
+      case GL_COLOR_INDEXES: return true;
       default: return false;
     }
   }
@@ -76,10 +74,9 @@ struct Kept<row, member, void(GLAPIENTRY*)(Arguments...)> {
     return sizeof(Number<T>) * (std::is_pointer_v<T> ? pointed_numbers<row>(property) : 1);
   }
 
-  // The face and property of a glMaterial call: arguments 0 and 1.
-  template <std::size_t i>
-  static GLenum name_of([[maybe_unused]] const std::tuple<Arguments...>& arguments) {
-    if constexpr (row.family == Family::Material) return GLenum(std::get<i>(arguments));
+  // The property of a glMaterial call.
+  static GLenum property_of([[maybe_unused]] const std::tuple<Arguments...>& arguments) {
+    if constexpr (row.family == Family::Material) return GLenum(std::get<1>(arguments));
     else return 0;
   }
 
@@ -91,8 +88,8 @@ struct Kept<row, member, void(GLAPIENTRY*)(Arguments...)> {
   }
 
   static void GLAPIENTRY call(Arguments... arguments) {
-    const GLenum property = name_of<1>({arguments...});
-    if (!keepable<row>(name_of<0>({arguments...}), property, packed_type_of({arguments...}))) {
+    const GLenum property = property_of({arguments...});
+    if (!keepable<row>(property, packed_type_of({arguments...}))) {
       return (open_driver_part(entry).*member)(arguments...);
     }
     if constexpr (row.family == Family::Vertex) keep_leading(entry);

@@ -324,8 +324,10 @@ void ask_all() {
   if (materials) materials(GL_FRONT_AND_BACK, GL_DIFFUSE, fixed);
   std::printf("material: error %x\n", glGetError());
   glEndList();
-  glCallList(57);
   GLfloat diffuse[4];
+  glGetMaterialfv(GL_FRONT, GL_DIFFUSE, diffuse);
+  std::printf("diffuse before the call %g %g %g %g\n", diffuse[0], diffuse[1], diffuse[2], diffuse[3]);
+  glCallList(57);
   glGetMaterialfv(GL_FRONT, GL_DIFFUSE, diffuse);
   std::printf("diffuse %g %g %g %g\n", diffuse[0], diffuse[1], diffuse[2], diffuse[3]);
   say("end");
