@@ -139,14 +139,16 @@ void run(const Sequence& sequence) {
   }
 }
 
-// A process of its own for each: what a sequence leaves, or breaks, is no other's. In a loop without end it has two
-// seconds of a processor.
+// A process of its own for each: what a sequence leaves, or breaks, is no other's. It has some seconds of a processor, even
+// in a loop without end.
 void run_apart(std::uint64_t trial, const Sequence& sequence) {
   std::printf("trial %llu\n", static_cast<unsigned long long>(trial));
   std::fflush(stdout);
   const pid_t child = ::fork();
   if (child == 0) {
-    const rlimit seconds = {2, 2}, no_core = {0, 0};
+    const char* const given = std::getenv("FUZZ_SECONDS");
+    const rlim_t most = given ? rlim_t(std::atoi(given)) : 2;
+    const rlimit seconds = {most, most}, no_core = {0, 0};
     ::setrlimit(RLIMIT_CPU, &seconds);
     ::setrlimit(RLIMIT_CORE, &no_core);
     run(sequence);
