@@ -1,6 +1,6 @@
-// fuzz [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--kinds 0123]: random sequences of OpenGL calls without and with
-// truequad, until the time or the trials are over, or so many findings were made (1). Each is shrunk for S seconds (30) and
-// printed; 0: only named. Exit 1 if any was.
+// fuzz [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--corrected N] [--kinds 0123]: random sequences of
+// OpenGL calls without and with truequad, until the time or the trials are over, or so many findings were made (1). Each is shrunk for S seconds (30) and
+// printed; 0: only named. Exit 1 if any was, or if quads were corrected in fewer than so many sequences (0).
 // fuzz --first N --write FILE: writes that sequence, for fuzz_program --file FILE --print.
 #include <unistd.h>
 
@@ -22,6 +22,7 @@ struct Settings {
   std::uint64_t first = 1, trials = ~std::uint64_t(0);
   double seconds = 1e9;
   int findings = 1;
+  std::uint64_t corrected = 0;
   double shrink_seconds = 30;
   std::string write;
   std::string kinds = "0123";
@@ -52,7 +53,9 @@ class Fuzz {
                 tally_.findings, static_cast<unsigned long long>(tally_.corrected), static_cast<unsigned long long>(tally_.with_corrected),
                 static_cast<unsigned long long>(tally_.native_crashes),
                 static_cast<unsigned long long>(tally_.unsteady));
-    return tally_.findings == 0 ? 0 : 1;
+    const bool enough = tally_.with_corrected >= settings_.corrected;
+    if (!enough) std::puts("in fewer than --corrected asks for");
+    return tally_.findings == 0 && enough ? 0 : 1;
   }
 
  private:
@@ -98,10 +101,12 @@ int main(int count, char** arguments) {
     else if (name == "--trials") settings.trials = std::strtoull(value, nullptr, 10);
     else if (name == "--seconds") settings.seconds = std::strtod(value, nullptr);
     else if (name == "--findings") settings.findings = std::atoi(value);
+    else if (name == "--corrected") settings.corrected = std::strtoull(value, nullptr, 10);
     else if (name == "--shrink") settings.shrink_seconds = std::strtod(value, nullptr);
     else if (name == "--kinds") settings.kinds = value;
     else if (name == "--write") settings.write = value;
-    else return std::fprintf(stderr, "usage: %s [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] [--kinds 0123] [--write FILE]\n", arguments[0]), 2;
+    else return std::fprintf(stderr, "usage: %s [--first N] [--trials N] [--seconds S] [--findings N] [--shrink S] "
+                                     "[--corrected N] [--kinds 0123] [--write FILE]\n", arguments[0]), 2;
   }
   std::string scratch = (std::filesystem::temp_directory_path() / "truequad_fuzz_XXXXXX").string();
   if (!settings.write.empty()) {

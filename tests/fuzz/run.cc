@@ -48,7 +48,7 @@ Server start(const Programs& programs, const Way& way) {
     ::setenv("ASAN_OPTIONS", "detect_leaks=0:verify_asan_link_order=0", 0);
     if (way.dirty) ::setenv("MALLOC_PERTURB_", "165", 1);
     // Lists that call themselves draw tens of thousands of quads in a second; to correct them takes longer.
-    ::setenv("FUZZ_SECONDS", way.with_truequad ? "20" : "2", 1);
+    ::setenv("FUZZ_SECONDS", way.with_truequad ? "6" : "2", 1);
     if (way.with_truequad) {
       ::setenv("LD_PRELOAD", programs.preload.c_str(), 1);
       ::setenv("TRUEQUAD_STATS", way.statistics(programs).c_str(), 1);
