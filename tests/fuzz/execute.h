@@ -68,6 +68,7 @@ void execute_list(const Op& op, Player& player);   // execute_lists.cc
 void execute_state(const Op& op, Player& player);  // execute_state.cc
 void execute_other(const Op& op, Player& player);  // execute_other.cc
 void execute_arrays(const Op& op, Player& player); // execute_arrays.cc
+void execute_edges(const Op& op);                  // execute_edges.cc
 void fill_arena();
 void point_arrays();
 

@@ -42,6 +42,34 @@ void call_lists(Random& random, const Player& player) {
   GL(CallLists, count, type, names);
 }
 
+// A list that calls itself, in the midst of its calls or as the last, to the depth limit.
+void nest(const Op& op, Random& random, Player& player) {
+  if (player.compiled) return;
+  constexpr GLuint kName = 30;
+  note_new_list(player, kName, false);
+  GL(NewList, kName, GLenum(GL_COMPILE));
+  GL(Translatef, 0.0625f, 0.0f, 0.0f);
+  const bool warped = op.warp & (kWarpPosition | kWarpTexture | kWarpDepth);
+  GL(Begin, GLenum(GL_QUADS));
+  static const float corners[4][2] = {{2, 2}, {12, 2}, {12, 9}, {2, 9}};
+  for (const auto& [x, y] : corners) {
+    GL(TexCoord2f, x, y);
+    GL(Vertex2f, warped && x > 2 && y > 2 ? x - 3 : x, y);
+  }
+  GL(End);
+  const GLubyte names[] = {kName, 3};
+  if (random.chance(70)) GL(CallList, kName);
+  else GL(CallLists, 2, GLenum(GL_UNSIGNED_BYTE), names);
+  if (random.chance(50)) GL(Color3f, 0.5f, 1.0f, 0.25f);
+  GL(EndList);
+  note_end_list(player);
+  GL(PushMatrix);
+  GL(CallList, kName);
+  note_call(player, list_bit(kName) | list_bit(3));
+  record_errors();
+  GL(PopMatrix);
+}
+
 }  // namespace
 
 void execute_list(const Op& op, Player& player) {
@@ -87,6 +115,7 @@ void execute_list(const Op& op, Player& player) {
       }
       return;
     }
+    case Step::kNest: return nest(op, random, player);
     default: return GL(ListBase, random.of<GLuint>({0, 0, 0, 1, 2, 0xffffffff}));
   }
 }

@@ -45,8 +45,10 @@ class Generator {
   void stray() { add(random_step()); }
 
   Step random_step() {
+    // Those behind the lock of arrays are of no use where only flat quads are drawn.
+    const unsigned count = kind_ == Kind::kCovered ? unsigned(Step::kDrawIndirect) : unsigned(Step::kCount);
     int total = 0;
-    for (int weight : kWeights) total += weight;
+    for (unsigned i = 0; i < count; ++i) total += kWeights[i];
     int at = random_.below(total);
     for (unsigned i = 0;; ++i) {
       if ((at -= kWeights[i]) < 0) return Step(i);
@@ -57,7 +59,8 @@ class Generator {
     switch (step) {
       case Step::kPointer: case Step::kClientState: case Step::kDrawArrays: case Step::kDrawElements:
       case Step::kArrayElement: case Step::kInterleaved: case Step::kBuffer: case Step::kMapBuffer:
-      case Step::kVertexArray: case Step::kRestart: case Step::kLockArrays:
+      case Step::kVertexArray: case Step::kRestart: case Step::kLockArrays: case Step::kDrawIndirect:
+      case Step::kFarIndices: case Step::kNowhere:
         return arrays_ && kind_ != Kind::kCovered;
       case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists: case Step::kGenLists: case Step::kListBase:
       case Step::kErrors: case Step::kGet: case Step::kDigest: case Step::kAttribute: return true;
@@ -77,7 +80,7 @@ class Generator {
       const Step step = random_step();
       // Mesa knows the current values that a list sets as it is executed some calls later.
       if (depth_ > 0 && step == Step::kDigest) continue;
-      if (allowed(step)) return add(step, depth_ > 0);
+      if (allowed(step)) return add(step, depth_ > 0, 0, step == Step::kNest ? warp() : 0u);
     }
   }
 

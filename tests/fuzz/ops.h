@@ -16,6 +16,7 @@ namespace truequad::fuzz {
   X(Evaluator, 10) X(Rect, 16) X(Clear, 8) X(Pixels, 6) X(Context, 3) X(Query, 6) X(Program, 3)                \
   X(Pointer, 30) X(ClientState, 20) X(DrawArrays, 30) X(DrawElements, 30) X(ArrayElement, 8)                   \
   X(Interleaved, 6) X(Buffer, 24) X(MapBuffer, 8) X(VertexArray, 5) X(Restart, 4) X(LockArrays, 3)                      \
+  X(DrawIndirect, 10) X(FarIndices, 6) X(Nowhere, 6) X(Nest, 4)                      \
   X(Cover, 0)
 
 enum class Step : std::uint8_t {
