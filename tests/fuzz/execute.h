@@ -39,6 +39,7 @@ struct Player {
   ListValues* compiled = nullptr;
   bool executed = false;         // as it is compiled
   bool redefined = false;        // there was such a list before
+  bool programs = false;         // one that is no program may be enabled
   bool in_primitive = false;
   GLenum mode = GL_POINTS;       // of that primitive
   int vertices = 0;              // of it, so far

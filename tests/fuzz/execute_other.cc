@@ -93,9 +93,11 @@ void query(Random& random) {
   }
 }
 
-void program(Random& random) {
+void program(Random& random, Player& player) {
   switch (random.below(4)) {
-    case 0: return GL(Enable, pick(random, GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB));
+    case 0:
+      player.programs = true;
+      return GL(Enable, pick(random, GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB));
     case 1: case 2: return GL(Disable, pick(random, GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB));
     default: return GL(UseProgram, GLuint(random.chance(70) ? 0 : 9));
   }
@@ -117,7 +119,7 @@ void execute_other(const Op& op, Player& player) {
                                                               GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, 0x10}));
     case Step::kPixels: return pixels(random);
     case Step::kQuery: return query(random);
-    case Step::kProgram: return program(random);
+    case Step::kProgram: return program(random, player);
     default:
       // Another context would see the first part of a list that is split before it is ended.
       if (player.listing) return;

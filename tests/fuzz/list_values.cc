@@ -1,5 +1,5 @@
 // Which current values a list leaves as Mesa has them rather than OpenGL: those that it sets outside of glBegin and glEnd and
-// in a primitive too, and all after a primitive whose last vertices draw nothing (README.md). The sequence sets these anew,
+// in a primitive too, and all after a primitive whose last vertices draw nothing, or which cannot be drawn (README.md). The sequence sets these anew,
 // so that what follows is defined.
 #include "execute.h"
 
@@ -77,6 +77,7 @@ bool call_redefined(const Player& player, std::uint32_t called) {
 }
 
 unsigned values_left_open(const Player& player, std::uint32_t called) {
+  if (player.programs) return kAllValues;
   called = closure(player, called);
   unsigned loose = 0, in_primitives = 0, open = 0;
   for (int i = 0; i < Player::kLists; ++i) {
