@@ -186,7 +186,7 @@ TEST_F(WithColours, TheReasonsOfTheTextureAreNone) {
 // Attributes that begin in the midst of a quad, quads that are passed between others, other primitives.
 TEST_F(WithColours, RandomProgramsLeaveEveryCurrentValueAndNoError) {
   std::uint64_t corrections = 0;
-  for (unsigned seed = 0; seed < test::trials(600); ++seed) {
+  for (unsigned seed = 0; seed < test::trials(600, 16); ++seed) {
     SCOPED_TRACE(seed);
     Gl start;
     if (seed % 3 == 1) start.enabled = {GL_LIGHTING, GL_LIGHT0};
@@ -213,7 +213,7 @@ TEST_F(WithColours, RandomProgramsLeaveEveryCurrentValueAndNoError) {
                        .corrected;
     if (HasFailure()) return;
   }
-  EXPECT_GT(corrections, test::trials(300));
+  EXPECT_GT(corrections, test::trials(300, 16));
 }
 
 }  // namespace

@@ -193,7 +193,7 @@ std::vector<Primitive> other_polygons(const Gl& g) {
 // As expect_same_quads for strips whose s runs backwards in every second quad: only counts and order are compared.
 TEST(Correction, RandomProgramsLeaveEveryCurrentValueAndNoError) {
   std::uint64_t all = 0;
-  for (unsigned seed = 0; seed < test::trials(3000); ++seed) {
+  for (unsigned seed = 0; seed < test::trials(3000, 16); ++seed) {
     SCOPED_TRACE(seed);
     const Program program = [seed](const Driver& gl) { random_program(gl, seed); };
     const Gl native = natively(program);
@@ -205,12 +205,12 @@ TEST(Correction, RandomProgramsLeaveEveryCurrentValueAndNoError) {
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].vertices, b[i].vertices);
     if (HasFailure()) return;
   }
-  EXPECT_GT(all, test::trials(3000));
+  EXPECT_GT(all, test::trials(3000, 16));
 }
 
 TEST(Correction, RandomQuadsKeepTheirOrderAndAreBilinearInEveryAttribute) {
   unsigned meshes = 0;
-  for (unsigned seed = 0; seed < test::trials(1500); ++seed) {
+  for (unsigned seed = 0; seed < test::trials(1500, 16); ++seed) {
     SCOPED_TRACE(seed);
     const Program program = [seed](const Driver& gl) {
       std::mt19937 random(seed);
@@ -237,7 +237,7 @@ TEST(Correction, RandomQuadsKeepTheirOrderAndAreBilinearInEveryAttribute) {
     expect_same_afterwards(ours, native);
     if (HasFailure()) return;
   }
-  EXPECT_GT(meshes, test::trials(1000));
+  EXPECT_GT(meshes, test::trials(1000, 16));
 }
 
 TEST(Correction, AnAttributeThatIsSetLateHasTheDriversValueBefore) {

@@ -54,7 +54,7 @@ void random_calls(const Driver& gl, unsigned seed) {
 
 TEST(Equivalence, RandomCallsLegalOrNot) {
   std::uint64_t corrections = 0;
-  for (unsigned seed = 0; seed < test::trials(6000); ++seed) {
+  for (unsigned seed = 0; seed < test::trials(6000, 16); ++seed) {
     SCOPED_TRACE(seed);
     Gl start;
     // Half of the drivers are old ones without anything.
@@ -66,7 +66,7 @@ TEST(Equivalence, RandomCallsLegalOrNot) {
     expect_same(ours, native);
     if (HasFailure()) return;
   }
-  EXPECT_GT(corrections, test::trials(500));
+  EXPECT_GT(corrections, test::trials(500, 16));
 }
 
 // Quads that are drawn after the barrier are the program's own, and complete ones before it are all there.

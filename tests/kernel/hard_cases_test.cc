@@ -35,7 +35,7 @@ void expect_drawable(const Plan& plan) {
 
 TEST(HardCases, AnyBitsAnywhere) {
   Plan& p = scratch_plan();
-  for (unsigned trial = 0; trial < trials(40000); ++trial) {
+  for (unsigned trial = 0; trial < trials(40000, 16); ++trial) {
     std::mt19937_64 engine(trial);
     const double special[] = {0,
                               -0.0,
