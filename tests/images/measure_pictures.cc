@@ -42,7 +42,8 @@ Promise promise_of(const DrawnQuad& quad, const Settings& settings) {
   return promise;
 }
 
-double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel) {
+double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel,
+                       double enough_px) {
   const reference::Point centre{x, y};
   std::optional<reference::ProjectiveMap> map;
   if (projective) map.emplace(quad.position, quad.texture, quad.view);
@@ -58,8 +59,7 @@ double displacement_px(const DrawnQuad& quad, bool projective, double x, double 
   // Of the texels that the pixel may show: the one that it does show, then the one nearest to what it ought
   // to show, then those around.
   double nearest = distance(texel.s, texel.t);
-  constexpr double kFarBelowTolerances_px = 1e-3;
-  if (nearest > kFarBelowTolerances_px) {
+  if (nearest > enough_px) {
     std::optional<reference::Point> exact;
     if (map) {
       exact = map->texel_at(centre);
@@ -71,7 +71,7 @@ double displacement_px(const DrawnQuad& quad, bool projective, double x, double 
                                            std::clamp(double(exact->y), texel.t - kHalf, texel.t + kHalf)));
     }
   }
-  for (int place = 0; place < 9 && nearest > kFarBelowTolerances_px; ++place) {
+  for (int place = 0; place < 9 && nearest > enough_px; ++place) {
     const double s = texel.s + (place / 3 - 1) * kHalf, t = texel.t + (place % 3 - 1) * kHalf;
     nearest = std::min(nearest, distance(s, t));
   }
@@ -107,8 +107,11 @@ Measurement measure(const Job& job, const Pictures& pictures, const Settings& se
         const Promise& promise = promises[std::size_t(seen - quads.begin())];
         if (!promise.measurable) continue;
         ++result.pixels;
-        const double found_px = displacement_px(*seen, promise.projective, x + 0.5, y + 0.5, *texel);
-        const double ratio = found_px / (promise.capped ? promise.bound_px : settings.tolerance_px);
+        const double limit_px = promise.capped ? promise.bound_px : settings.tolerance_px;
+        // What is neither a stray nor the largest need not be known better.
+        const double enough_px = std::min({limit_px, result.largest_px, result.worst_ratio * limit_px});
+        const double found_px = displacement_px(*seen, promise.projective, x + 0.5, y + 0.5, *texel, enough_px);
+        const double ratio = found_px / limit_px;
         result.largest_px = std::max(result.largest_px, found_px);
         result.strays += ratio > 1;
         if (ratio > result.worst_ratio) {

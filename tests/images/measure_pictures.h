@@ -27,7 +27,9 @@ struct Measurement {
 Measurement measure(const Job& job, const Pictures& pictures, const Settings& settings);
 
 // Distance of a pixel's centre from the nearest place where the exact map has a texel that the pixel may
-// show, since it tells its coordinates only to within kCoordinateStep / 2.
-double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel);
+// show, since it tells its coordinates only to within kCoordinateStep / 2. What is at most `enough_px` may be
+// any number up to that.
+double displacement_px(const DrawnQuad& quad, bool projective, double x, double y, const Texel& texel,
+                       double enough_px);
 
 }  // namespace truequad::images

@@ -39,7 +39,7 @@ TEST_P(Native, ShowsTheSeamOfATrapezoid) {
     for (int y = 0; y < job.height; ++y) {
       for (int x = 0; x < job.width; ++x) {
         if (const auto texel = texel_at(pictures, trial, x, y)) {
-          largest_px = std::max(largest_px, displacement_px(quad, false, x + 0.5, y + 0.5, *texel));
+          largest_px = std::max(largest_px, displacement_px(quad, false, x + 0.5, y + 0.5, *texel, largest_px));
         }
       }
     }
