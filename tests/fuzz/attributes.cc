@@ -188,7 +188,16 @@ void execute_vertex(const Op& op) {
        exact);
 }
 
-void execute_attribute(const Op& op) {
+// How many numbers Mesa keeps of a colour that is given by three: of most types it makes a glColor4f.
+int numbers_kept(const Entry& entry) {
+  const std::string_view name = entry.name;
+  for (const char* type : {"3f", "3fv", "3hNV", "3hvNV", "3xOES", "3xvOES", "P3ui", "P3uiv"}) {
+    if (name.ends_with(type)) return 3;
+  }
+  return 4;
+}
+
+void execute_attribute(const Op& op, Player& player) {
   Random random(op.seed);
   const Family family = op.warp & kOneSlot ? Family::Color : random.of({Family::Color, Family::Color, Family::Color, Family::SecondaryColor, Family::Normal, Family::Normal,
                                    Family::FogCoord, Family::Index, Family::EdgeFlag, Family::MultiTexCoord, Family::TexCoord,
@@ -199,7 +208,9 @@ void execute_attribute(const Op& op) {
   if (random.chance(3)) values.at[random.below(4)] = random.of<double>({NAN, -1, 2, 1e30, 1e-40});
   // What Mesa's lists give to the components that an integer or double call leaves out is a float.
   const bool whole = family == Family::VertexAttribI || family == Family::VertexAttribL;
-  make(random, some_call(random, family, op.warp & kOneSlot ? 3 : whole ? 4 : size_of(op)), values);
+  const Entry& call = some_call(random, family, op.warp & kOneSlot ? 3 : whole ? 4 : size_of(op));
+  if (family == Family::Color) note_colour(player, numbers_kept(call));
+  make(random, call, values);
 }
 
 void execute_material(const Op& op) {

@@ -43,6 +43,8 @@ struct Player {
   bool in_primitive = false;
   GLenum mode = GL_POINTS;       // of that primitive
   int vertices = 0;              // of it, so far
+  // Colours of its primitives: of three numbers, and then of four.
+  bool short_colour = false, colours_grew = false;
   void* mapped = nullptr;
   std::int64_t mapped_size = 0;
 };
@@ -57,13 +59,16 @@ void note_end_list(Player& player);
 void note_begin(Player& player, GLenum mode);
 void note_end(Player& player);
 void note_values(Player& player, unsigned values);
+void note_colour(Player& player, int numbers);
+// What the list that is compiled, or one that it calls, leaves open is set anew.
+void settle_values(Player& player);
 std::uint32_t list_bit(GLuint name);
 void note_call(Player& player, std::uint32_t called);  // bits of lists
 unsigned values_left_open(const Player& player, std::uint32_t called);
 
 // Parts of execute(), a file for each.
 void execute_vertex(const Op& op);       // attributes.cc
-void execute_attribute(const Op& op);
+void execute_attribute(const Op& op, Player& player);
 void execute_material(const Op& op);
 void execute_list(const Op& op, Player& player);   // execute_lists.cc
 void execute_state(const Op& op, Player& player);  // execute_state.cc

@@ -70,9 +70,12 @@ void rectangle(Random& random) {
   }
 }
 
-void pixels(Random& random) {
+void pixels(Random& random, Player& player) {
   static const GLubyte bitmap[8] = {0xaa, 0x55, 0xff, 0x81, 0xaa, 0x55, 0xff, 0x81};
-  switch (random.below(4)) {
+  const int what = random.below(4);
+  // The raster position takes the current values with it.
+  if (what == 0 || what == 3) settle_values(player);
+  switch (what) {
     case 0: return GL(RasterPos2f, float(random.below(30)), float(random.below(30)));
     case 1: return GL(Bitmap, 8, 2, 0.0f, 0.0f, 4.0f, 1.0f, bitmap);
     case 2: return GL(CopyPixels, 0, 0, 4, 4, pick(random, GL_COLOR, GL_DEPTH));
@@ -117,7 +120,7 @@ void execute_other(const Op& op, Player& player) {
     case Step::kRect: return rectangle(random);
     case Step::kClear: return GL(Clear, random.of<GLbitfield>({GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT,
                                                               GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, 0x10}));
-    case Step::kPixels: return pixels(random);
+    case Step::kPixels: return pixels(random, player);
     case Step::kQuery: return query(random);
     case Step::kProgram: return program(random, player);
     default:

@@ -66,12 +66,17 @@ void lighting(Random& random) {
   }
 }
 
-void raster(Random& random) {
+void raster(Random& random, const Player& player) {
   const auto compare = [&] { return pick(random, GL_LESS, GL_LEQUAL, GL_EQUAL, GL_ALWAYS, GL_NEVER, GL_GREATER, GL_NOTEQUAL); };
   const auto side = [&] { return pick(random, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK); };
   const auto operation = [&] { return pick(random, GL_KEEP, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_ZERO); };
   switch (random.below(20)) {
-    case 0: case 1: return GL(ShadeModel, pick(random, GL_FLAT, GL_SMOOTH));
+    case 0: case 1: {
+      // In Mesa this is called before the rest of a primitive that is executed in pieces (README.md).
+      const GLenum model = pick(random, GL_FLAT, GL_SMOOTH);
+      if (!(player.compiled && player.executed && player.colours_grew)) GL(ShadeModel, model);
+      return;
+    }
     case 2: return GL(PolygonMode, side(), pick(random, GL_FILL, GL_LINE, GL_POINT));
     case 3: return GL(PolygonMode, GL_FRONT_AND_BACK, GL_FILL);
     case 4: return GL(DepthFunc, compare());
@@ -116,7 +121,7 @@ GLbitfield attribute_bits(Random& random) {
 
 }  // namespace
 
-void execute_state(const Op& op, Player&) {
+void execute_state(const Op& op, Player& player) {
   Random random(op.seed);
   switch (op.step) {
     case Step::kMatrix: return matrix(random);
@@ -124,7 +129,7 @@ void execute_state(const Op& op, Player&) {
     case Step::kTexGen: return texture_generation(random);
     case Step::kTexture: return texture(random);
     case Step::kLighting: return lighting(random);
-    case Step::kRaster: return raster(random);
+    case Step::kRaster: return raster(random, player);
     case Step::kCover: return cover(op.index != 0);
     case Step::kPushAttrib: return random.chance(75) ? GL(PushAttrib, attribute_bits(random)) : GL(PushClientAttrib, GL_ALL_ATTRIB_BITS);
     default: return random.chance(75) ? GL(PopAttrib) : GL(PopClientAttrib);

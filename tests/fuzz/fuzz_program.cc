@@ -249,7 +249,7 @@ void execute(const Op& op, Player& player) {
     case Step::kVertex: ++player.vertices; return execute_vertex(op);
     case Step::kAttribute:
       note_values(player, op.warp & kOneSlot ? kColours : kAllValues);
-      return execute_attribute(op);
+      return execute_attribute(op, player);
     case Step::kMaterial: return execute_material(op);
     case Step::kNewList: case Step::kEndList: case Step::kCallList: case Step::kCallLists: case Step::kDeleteLists:
     case Step::kGenLists: case Step::kListBase: case Step::kNest: return execute_list(op, player);

@@ -15,12 +15,18 @@ void note_new_list(Player& player, GLuint name, bool executed) {
   *player.compiled = {};
   player.executed = executed;
   player.redefined = executed && gl.IsList(name);
-  player.in_primitive = false;
+  player.in_primitive = player.short_colour = player.colours_grew = false;
 }
 
 void note_values(Player& player, unsigned values) {
   if (!player.compiled) return;
   (player.in_primitive ? player.compiled->in_primitives : player.compiled->loose) |= values;
+}
+
+void note_colour(Player& player, int numbers) {
+  if (!player.compiled || !player.in_primitive) return;
+  if (numbers < 4) player.short_colour = true;
+  else player.colours_grew |= player.short_colour;
 }
 
 void note_begin(Player& player, GLenum mode) {
@@ -87,6 +93,13 @@ unsigned values_left_open(const Player& player, std::uint32_t called) {
     open |= player.lists[i].open;
   }
   return open | (loose & in_primitives);
+}
+
+void settle_values(Player& player) {
+  if (!player.compiled) return;
+  const unsigned open = values_left_open(player, 1u << (player.compiled - player.lists));
+  note_values(player, open);
+  set_values(open);
 }
 
 void note_end_list(Player& player) {
