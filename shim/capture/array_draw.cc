@@ -65,7 +65,6 @@ class Drawing {
     c.live = textures;
     c.drawing = this;
     c.before_draw = before_draw;
-    note_rows(bit(kPosition) | textures);
     quick_ = c.textures_alone && textures != 0;
     for_each_slot(bit(kPosition) | textures, [&](Slot slot) { quick_ = quick_ && sources[slot].floats(); });
   }
@@ -75,10 +74,8 @@ class Drawing {
     for (GLsizei i = 0; i < draw_.instances.count && (i == 0 || corrected_); ++i) run_instance();
     c_.drawing = nullptr;
     c_.before_draw = nullptr;
-    for (std::size_t i = 0; i < kReasonCount; ++i) {
-      // What needs nothing in the first instance needs nothing in the others, which were not looked at.
-      if (passed_[i] > 0) c_.counters.passed[i].add(corrected_ ? passed_[i] : passed_[i] * std::uint64_t(draw_.instances.count));
-    }
+    count(Reason::kAffine, affine_);
+    for (std::size_t i = 0; any_passed_ && i < kReasonCount; ++i) count(Reason(i), passed_[i]);
     if (!corrected_) return false;
     close_mesh(c_);
     // Draws from arrays leave the current values as they were, where drivers do as the specification allows.
@@ -88,7 +85,17 @@ class Drawing {
     return true;
   }
 
+  // Quads that were seen, of all instances.
+  std::uint64_t seen() const { return seen_; }
+
  private:
+  void count(Reason reason, std::uint64_t quads) {
+    // What needs nothing in the first instance needs nothing in the others, which were not looked at.
+    if (!corrected_) quads *= std::uint64_t(draw_.instances.count);
+    c_.counters.passed[std::size_t(reason)].add(quads);
+    seen_ += quads;
+  }
+
   // What the driver has not drawn yet, up to the end of the last quad that passed.
   struct Place {
     GLsizei primitive = 0, vertex = 0;
@@ -106,6 +113,7 @@ class Drawing {
   }
 
   void pass_all(GLsizei primitive, Reason reason) {
+    any_passed_ = true;
     passed_[std::size_t(reason)] += std::uint64_t(quads_in(draw_.mode, draw_.count[primitive]));
   }
 
@@ -129,8 +137,12 @@ class Drawing {
         continue;
       }
       if (surely_affine_elements()) [[likely]] {
-        settle_passed(primitive, first, Reason::kAffine);
+        settle_affine(primitive, first);
         continue;
+      }
+      if (!rows_noted_) {
+        rows_noted_ = true;
+        note_rows(bit(kPosition) | (c_.live & kTextureSlots));
       }
       fetch_slot(kPosition);
       for_each_slot(c_.live & kTextureSlots, [&](Slot slot) { fetch_slot(slot); });
@@ -194,9 +206,7 @@ class Drawing {
     SlotMask warped = 0;
     Reason reason = judge(c_, quad_, warped);
     if (reason == Reason::kAffine && c_.textures_alone) [[likely]] {
-      ++passed_[std::size_t(Reason::kAffine)];
-      to_ = {primitive, first + 4};
-      return;
+      return settle_affine(primitive, first);
     }
     const bool colours = c_.options->color && fetch_others() == Reason::kNone && colours_may_kink(c_, quad_);
     const bool needs_look = reason == Reason::kNone || colours || may_be_mesh(c_, quad_);
@@ -205,6 +215,7 @@ class Drawing {
     } else if (needs_look) {
       const Reason found = look(warped, colours);
       if (found == Reason::kNone) {
+        ++seen_;
         from_ = to_ = {primitive, first + quad_step(draw_.mode)};
         return;
       }
@@ -214,7 +225,13 @@ class Drawing {
     if (c_.watch != Watch::kNothing) note_triangles(c_, quad_);
   }
 
+  void settle_affine(GLsizei primitive, GLsizei first) {
+    ++affine_;
+    to_ = {primitive, first + 4};
+  }
+
   void settle_passed(GLsizei primitive, GLsizei first, Reason reason) {
+    any_passed_ = true;
     ++passed_[std::size_t(reason)];
     to_ = {primitive, first + 4};
   }
@@ -314,30 +331,24 @@ class Drawing {
   const Quad quad_;
   Elements elements_;
   std::uint64_t element_[4];
-  std::uint64_t passed_[kReasonCount] = {};
+  std::uint64_t affine_ = 0, passed_[kReasonCount] = {}, seen_ = 0;
   Place from_, to_;
-  bool corrected_ = false, looked_ = false, quick_ = false;
+  bool corrected_ = false, looked_ = false, quick_ = false, any_passed_ = false, rows_noted_ = false;
   Reason why_not_ = Reason::kNone;
 };
 
-// Texture arrays of units that are enabled: the driver reads no others.
-SlotMask texture_slots(const Driver& driver, const ArraySources& sources) {
-  const Caps& caps = sources.caps();
-  const SlotMask arrays = sources.state().enabled & kTextureSlots;
-  FrameView view;
-  read_units(driver, caps, unsigned(arrays >> kTexture), view);
-  return arrays & (SlotMask(view.units_enabled) << kTexture);
-}
-
 // What can be said of all quads before a vertex is looked at. kNone: they are to be looked at.
-Reason find_reason(const Capture& c, const Driver& driver, ArraySources& sources, SlotMask& textures) {
+Reason find_reason(const Capture& c, const Driver& driver, ArrayMemory& memory, SlotMask& textures) {
+  ArraySources& sources = memory.sources;
   const Reason reason = sources.open(*c.entry, driver);
   if (reason != Reason::kNone) return reason;
   // Before anything of the arrays is read: a program may read others.
-  if (program_bound(driver, sources.caps())) return Reason::kProgram;
+  read_readers(*c.entry, driver, sources.caps(), memory.state, memory.readers);
+  if (memory.readers.program) return Reason::kProgram;
   const SlotMask enabled = sources.state().enabled;
   if (!(enabled & bit(kPosition))) return Reason::kDegenerate;
-  textures = texture_slots(driver, sources);
+  // Of units that are enabled: the driver reads no others.
+  textures = enabled & kTextureSlots & (SlotMask(memory.readers.units_enabled) << kTexture);
   if (!textures && c.textures_alone) {
     return enabled & kTextureSlots ? Reason::kTexturingOff : Reason::kNoTextureVaries;
   }
@@ -351,22 +362,25 @@ bool draw_quads(Entry& e, const ArrayDraw& draw) {
   Capture* const c = capturing_thread(e);
   if (!c) return false;
   if (e.list) return compile_quads(e, *c, draw);
-  const std::uint64_t quads_before = c->counters.quads();
   start(*c, e, draw.mode);
   ArrayMemory* const memory = e.context ? array_memory(e) : nullptr;
   SlotMask textures = 0;
   Reason reason = Reason::kNone;
   if (c->state == State::kPassive) reason = c->passive_reason;
   else if (!memory) reason = Reason::kNoMemory;
-  else reason = find_reason(*c, *e.driver, memory->sources, textures);
+  else reason = find_reason(*c, *e.driver, *memory, textures);
   bool drawn = false;
+  std::uint64_t quads;
   if (reason == Reason::kNone) {
-    drawn = Drawing(*c, *e.driver, draw, memory->sources, textures).run();
+    Drawing drawing(*c, *e.driver, draw, memory->sources, textures);
+    drawn = drawing.run();
+    quads = drawing.seen();
   } else {
-    c->counters.passed[std::size_t(reason)].add(count_quads(draw));
+    quads = count_quads(draw);
+    c->counters.passed[std::size_t(reason)].add(quads);
   }
   const bool from_buffer = reason == Reason::kNone && memory->state.array[kPosition].buffer != 0;
-  (from_buffer ? c->counters.from_buffers : c->counters.from_arrays).add(c->counters.quads() - quads_before);
+  (from_buffer ? c->counters.from_buffers : c->counters.from_arrays).add(quads);
   return drawn;
 }
 

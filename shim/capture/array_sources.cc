@@ -28,7 +28,6 @@ Reason ArraySources::open(Entry& e, const Driver& driver) {
   state_ = &context.arrays->state;
   ready_ = 0;
   elements_ = ~std::uint64_t(0);
-  index_buffer_ = -1;
   context.arrays->buffers.start();
   read_arrays(e, driver, *caps_, *state_);
   if (state_->unified) return Reason::kBuffer;
@@ -72,12 +71,8 @@ Reason ArraySources::find(const ArrayDraw& draw, GLsizei primitive, Elements& ou
   out.type = draw.type;
   out.base = draw.base ? draw.base[primitive] : 0;
   out.indices = static_cast<const unsigned char*>(draw.indices[primitive]);
-  if (index_buffer_ < 0) {
-    index_buffer_ = 0;
-    if (caps_->buffers) driver_->GetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &index_buffer_);
-  }
-  if (index_buffer_ != 0) {
-    const BufferCopy* const copy = contents(GLuint(index_buffer_));
+  if (const GLuint name = index_buffer(*entry_, *driver_, *caps_, *state_); name != 0) {
+    const BufferCopy* const copy = contents(name);
     if (!copy) return Reason::kBuffer;
     const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(out.indices);
     const std::uint64_t size = std::uint64_t(draw.count[primitive]) * index_bytes(draw.type);

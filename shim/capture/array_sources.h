@@ -102,13 +102,13 @@ class ArraySources {
   ArrayState* state_ = nullptr;
   SlotMask ready_ = 0;
   std::uint64_t elements_ = ~std::uint64_t(0);
-  GLint index_buffer_ = -1;
   ArraySource source_[kConventionalSlots];
 };
 
 // What a context needs for arrays: allocated once.
 struct ArrayMemory {
   ArrayState state;
+  ArrayReaders readers;
   BufferCopies buffers;
   ArraySources sources;  // of the present draw, or the present primitive of glArrayElement
   Float4 current[kConventionalSlots];  // of before a draw that a list keeps (kept_current.h)

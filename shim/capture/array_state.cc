@@ -1,5 +1,7 @@
 #include "capture/array_state.h"
 
+#include "capture/view.h"
+
 namespace truequad {
 namespace {
 
@@ -136,6 +138,29 @@ void read_arrays(Entry& e, const Driver& driver, const Caps& caps, ArrayState& o
   out.any_generic = -1;
   out.unified = caps.unified_memory && driver.IsEnabled(GL_VERTEX_ATTRIB_ARRAY_UNIFIED_NV);
   e.arrays_known = true;
+}
+
+GLuint index_buffer(Entry& e, const Driver& driver, const Caps& caps, ArrayState& state) {
+  if (!e.index_buffer_known) {
+    state.index_buffer = caps.buffers ? GLuint(get(driver, GL_ELEMENT_ARRAY_BUFFER_BINDING)) : 0;
+    e.index_buffer_known = true;
+  }
+  return state.index_buffer;
+}
+
+void read_readers(Entry& e, const Driver& driver, const Caps& caps, const ArrayState& state, ArrayReaders& out) {
+  if (!e.readers_known) {
+    out = {};
+    out.program = program_bound(driver, caps);
+    e.readers_known = true;
+  }
+  const unsigned units = unsigned((state.enabled & kTextureSlots) >> kTexture);
+  if (out.program || !(units & ~out.units_read)) return;
+  FrameView view;
+  view.units_read = out.units_read;
+  read_units(driver, caps, units, view);
+  out.units_read = view.units_read;
+  out.units_enabled |= view.units_enabled;
 }
 
 bool any_generic(const Driver& driver, const Caps& caps, ArrayState& state) {

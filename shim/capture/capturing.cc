@@ -24,6 +24,8 @@ constexpr Driver make_capturing() {
 #undef TQ_COMMAND
 #define TQ_ARRAY_STATE(name, result, parameters, arguments) \
   table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
+#define TQ_INDEX_BUFFER TQ_ARRAY_STATE
+#define TQ_READER_STATE TQ_ARRAY_STATE
 #define TQ_BUFFER_OF_TARGET TQ_ARRAY_STATE
 #define TQ_BUFFER_OF_NAME TQ_ARRAY_STATE
 #define TQ_BUFFER_PACKED TQ_ARRAY_STATE

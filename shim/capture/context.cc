@@ -11,7 +11,7 @@
 namespace truequad {
 
 constinit thread_local Entry entry [[gnu::tls_model("initial-exec")]] = {
-    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, false, 0, false, nullptr};
+    &default_driver, nullptr, &default_driver, nullptr, nullptr, false, nullptr, false, false, 0, false, false, false, nullptr};
 
 namespace {
 
@@ -51,7 +51,7 @@ void context_made_current(Entry& e, const void* context, const Driver* driver) {
   if (!e.active) e.dispatch = e.driver;
   if (e.context && e.context->handle == context && !e.context->destroyed.load(std::memory_order_relaxed)) return;
   set_active(e, nullptr);
-  e.arrays_known = false;
+  forget_arrays(e);
   frame_ended(e);  // another context has other buffers
   const std::lock_guard lock(records_mutex);
   if (e.context) {

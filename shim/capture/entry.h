@@ -20,7 +20,8 @@ struct Entry {
   bool playing;            // the calls are those of a list that is called
   bool relisting;          // and quads that need no correction are compiled again (relist.h)
   int list_depth;          // lists that call each other
-  bool arrays_known;       // context->arrays is what the driver has (array_state.h)
+  // What context->arrays remembers is what the driver has (array_state.h): the arrays, what reads them, where indices are.
+  bool arrays_known, readers_known, index_buffer_known;
   const ListCompile* executing;  // a list whose calls are made as they are compiled, while `list` is null for it
 };
 

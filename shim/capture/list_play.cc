@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "capture/array_state.h"
 #include "capture/capture.h"
 #include "capture/list_compile.h"
 #include "capture/state.h"
@@ -128,7 +129,22 @@ void play_kept(Entry& e, const Part& part, Played how) {
   e.relisting = outer_relisting;
 }
 
+namespace {
+
+// What lists enable, and the programs that they use, no call of the program's told.
+class ListsAreCalled {
+ public:
+  explicit ListsAreCalled(Entry& e) : entry_(e) {}
+  ~ListsAreCalled() { forget_arrays(entry_); }
+
+ private:
+  Entry& entry_;
+};
+
+}  // namespace
+
 void call_list(Entry& e, GLuint name) {
+  const ListsAreCalled called(e);
   if (!e.list) return play_list(e, name);
   barrier(e);
   // Whether a list 0 is an error, and when, is the driver's to say.
@@ -136,6 +152,7 @@ void call_list(Entry& e, GLuint name) {
 }
 
 void call_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
+  const ListsAreCalled called(e);
   if (!e.list) return play_lists(e, count, type, names);
   barrier(e);
   if (!compile_calls(e, count, type, names)) e.dispatch->CallLists(count, type, names);

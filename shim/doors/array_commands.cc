@@ -17,8 +17,18 @@ extern "C" {
 
 #define TQ_ARRAY_STATE(name, result, parameters, arguments)    \
   TRUEQUAD_DOOR result GLAPIENTRY gl##name parameters {        \
-    entry.arrays_known = false;                                \
+    entry.arrays_known = entry.index_buffer_known = false;     \
     return entry.dispatch->name arguments;                     \
+  }
+#define TQ_READER_STATE(name, result, parameters, arguments)   \
+  TRUEQUAD_DOOR result GLAPIENTRY gl##name parameters {        \
+    entry.readers_known = false;                               \
+    return entry.dispatch->name arguments;                     \
+  }
+#define TQ_INDEX_BUFFER(name, result, parameters, arguments)                   \
+  TRUEQUAD_DOOR result GLAPIENTRY gl##name parameters {                        \
+    if (target == GL_ELEMENT_ARRAY_BUFFER) entry.index_buffer_known = false;   \
+    return entry.dispatch->name arguments;                                     \
   }
 #define TQ_CHANGE(of, which, name, result, parameters, arguments)      \
   TRUEQUAD_DOOR result GLAPIENTRY gl##name parameters {                \
@@ -37,7 +47,7 @@ extern "C" {
 #define TQ_DELETE(name)                                                    \
   TRUEQUAD_DOOR void GLAPIENTRY gl##name(GLsizei n, const GLuint* names) { \
     const BufferChange change(entry, BufferChange::Of::kAny, 0);           \
-    entry.arrays_known = false;                                            \
+    entry.arrays_known = entry.index_buffer_known = false;                 \
     entry.dispatch->name(n, names);                                        \
   }
 TQ_DELETE(DeleteBuffers)

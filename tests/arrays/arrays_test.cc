@@ -189,6 +189,20 @@ TEST(Arrays, AnswersAreTheDriversOwn) {
   EXPECT_GT(json["by_path"].value("rect", 0), 0);
 }
 
+// What is remembered of what reads arrays is asked anew after every call that may change it: an array that nothing reads
+// has no memory, and each quad that can be is corrected.
+TEST(Arrays, AreReadOnlyWhileTheDriverReadsThem) {
+  const auto native = run({CHANGE_READERS});
+  const auto ours = run({CHANGE_READERS}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", "-"}});
+  EXPECT_EQ(native.status, 0) << native.out;
+  EXPECT_EQ(ours.status, 0) << ours.out;
+  EXPECT_EQ(ours.out, native.out);
+  const auto json = nlohmann::json::parse(ours.err, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ours.err;
+  // Thirteen changes, before and after; four draws from indices.
+  EXPECT_EQ(json.value("corrected", 0), 2 * 13 + 4);
+}
+
 // The driver draws nothing, so that what grows is memory of ours, or what the driver keeps of any draw.
 TEST(Arrays, MemoryIsBoundedForTenMillionIndices) {
   for (const char* way : {"client", "buffer"}) {
