@@ -39,19 +39,32 @@ std::string difference(const Seen& native, const Seen& ours, Kind kind) {
   return "";
 }
 
-std::string finding(const Programs& programs, const Sequence& sequence, Kind kind) {
-  const Seen ours = run_sequences(programs, true, {sequence}, kind)[0];
-  // Some sequences give the driver's own memory away only at times.
-  const std::vector<Sequence> four(4, sequence);
-  const Trials clean = run_sequences(programs, false, four, kind), dirty = run_sequences(programs, false, four, kind, false, true);
-  const Seen& native = clean.at(0);
-  for (const Trials* trials : {&clean, &dirty}) {
-    for (const auto& [number, again] : *trials) {
-      if (native.text != again.text || native.status != again.status) return "";
+namespace {
+
+// Some sequences give the driver's own memory away only at times, or only to some processes: those that one has forked have
+// all memory at the same addresses.
+bool is_steady(const Programs& programs, const Sequence& sequence, Kind kind, const Seen& native, int processes) {
+  for (int i = 0; i < processes; ++i) {
+    if (i > 0) stop_native_programs();
+    for (Way way : {Way::kPlain, Way::kDirty}) {
+      for (const auto& [number, again] : run_sequences(programs, false, {4, sequence}, kind, false, way)) {
+        if (native.text != again.text || native.status != again.status) return false;
+      }
     }
   }
-  return difference(native, ours, kind);
+  return true;
 }
+
+std::string finding_in(const Programs& programs, const Sequence& sequence, Kind kind, int processes) {
+  const Seen ours = run_sequences(programs, true, {sequence}, kind)[0], native = run_sequences(programs, false, {sequence}, kind)[0];
+  const std::string found = difference(native, ours, kind);
+  if (found.empty() || run_sequences(programs, false, {sequence}, kind, false, Way::kProbed)[0].status != 0) return "";
+  return is_steady(programs, sequence, kind, native, processes) ? found : "";
+}
+
+}  // namespace
+
+std::string finding(const Programs& programs, const Sequence& sequence, Kind kind) { return finding_in(programs, sequence, kind, 8); }
 
 namespace {
 
@@ -64,8 +77,8 @@ Sequence without(const Sequence& sequence, std::size_t from, std::size_t to) {
 
 // What the driver's own memory shows through is no smaller finding.
 bool still_has(const Programs& programs, const Sequence& sequence, Kind kind, const std::string& found) {
-  if (finding(programs, sequence, kind) != found) return false;
-  return run_sequences(programs, true, {sequence}, kind)[0].text == run_sequences(programs, true, {sequence}, kind, false, true)[0].text;
+  if (finding_in(programs, sequence, kind, 1) != found) return false;
+  return run_sequences(programs, true, {sequence}, kind)[0].text == run_sequences(programs, true, {sequence}, kind, false, Way::kDirty)[0].text;
 }
 
 // Which of these seem to have the finding; the driver alone may still not be steady in it.

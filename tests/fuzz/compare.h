@@ -24,19 +24,25 @@ struct Programs {
 };
 
 Trials run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind);
-// Numbered from 0. `dirty`: new memory is not zero, so that what a driver reads without having written it shows.
+enum class Way : std::uint8_t {
+  kPlain,
+  kDirty,   // new memory is not zero, so that what a driver reads without having written it shows
+  kProbed,  // after each step it is asked whether the driver knows if it is between glBegin and glEnd
+};
+// Numbered from 0.
 Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind,
-                     bool print = false, bool dirty = false);
+                     bool print = false, Way way = Way::kPlain);
 
-// Ends the processes that these have started.
+// Ends the processes that these have started; those of the driver alone.
 void stop_programs();
+void stop_native_programs();
 
 // The first word of the first line that differs and may not, or "crash"; empty: nothing, or the driver alone crashed.
 // Where some quad was corrected pixels may differ in any case.
 std::string difference(const Seen& native, const Seen& ours, Kind kind);
 
-// What goes wrong with a sequence that runs alone; empty: nothing. Two native runs that differ, one of them with dirty
-// memory, or that end, are nobody's fault.
+// What goes wrong with a sequence that runs alone; empty: nothing. Native runs that differ, some of them with dirty
+// memory, or that end, are nobody's fault; nor is a driver that loses its way between glBegin and glEnd.
 std::string finding(const Programs& programs, const Sequence& sequence, Kind kind);
 
 // The shortest sequence found with the same finding, in so many seconds.

@@ -16,9 +16,10 @@
 namespace truequad::fuzz {
 namespace {
 
-struct Way {
-  bool with_truequad, tolerant, dirty;
-  friend auto operator<=>(const Way&, const Way&) = default;
+struct Setting {
+  bool with_truequad, tolerant;
+  Way way;
+  friend auto operator<=>(const Setting&, const Setting&) = default;
   // Statistics of the processes that it forks lie beside this file.
   std::string statistics(const Programs& programs) const { return programs.scratch + (tolerant ? "/tolerant" : "/strict"); }
 };
@@ -32,9 +33,9 @@ struct Server {
   }
 };
 
-std::map<Way, Server> servers;
+std::map<Setting, Server> servers;
 
-Server start(const Programs& programs, const Way& way) {
+Server start(const Programs& programs, const Setting& setting) {
   int in[2], out[2];
   if (::pipe(in) != 0 || ::pipe(out) != 0) std::abort();
   const pid_t child = ::fork();
@@ -46,13 +47,14 @@ Server start(const Programs& programs, const Way& way) {
     ::setenv("GALLIUM_DRIVER", "softpipe", 1);
     ::setenv("DRAW_USE_LLVM", "0", 1);
     ::setenv("ASAN_OPTIONS", "detect_leaks=0:verify_asan_link_order=0", 0);
-    if (way.dirty) ::setenv("MALLOC_PERTURB_", "165", 1);
+    if (setting.way == Way::kDirty) ::setenv("MALLOC_PERTURB_", "165", 1);
+    if (setting.way == Way::kProbed) ::setenv("FUZZ_PROBE", "1", 1);
     // Lists that call themselves draw tens of thousands of quads in a second; to correct them takes longer.
-    ::setenv("FUZZ_SECONDS", way.with_truequad ? "6" : "2", 1);
-    if (way.with_truequad) {
+    ::setenv("FUZZ_SECONDS", setting.with_truequad ? "6" : "2", 1);
+    if (setting.with_truequad) {
       ::setenv("LD_PRELOAD", programs.preload.c_str(), 1);
-      ::setenv("TRUEQUAD_STATS", way.statistics(programs).c_str(), 1);
-      if (way.tolerant) ::setenv("TRUEQUAD_TOLERANCE", "1000000", 1);
+      ::setenv("TRUEQUAD_STATS", setting.statistics(programs).c_str(), 1);
+      if (setting.tolerant) ::setenv("TRUEQUAD_TOLERANCE", "1000000", 1);
     }
     ::execl(programs.program.c_str(), programs.program.c_str(), "--serve", nullptr);
     ::_exit(99);
@@ -92,15 +94,15 @@ Trials read_trials(std::FILE* from, const std::string& statistics, bool& ended) 
   return trials;
 }
 
-Trials run(const Programs& programs, const Way& way, const std::string& words) {
+Trials run(const Programs& programs, const Setting& setting, const std::string& words) {
   std::signal(SIGPIPE, SIG_IGN);
-  auto found = servers.find(way);
-  if (found == servers.end()) found = servers.emplace(way, start(programs, way)).first;
+  auto found = servers.find(setting);
+  if (found == servers.end()) found = servers.emplace(setting, start(programs, setting)).first;
   const Server server = found->second;
   std::fprintf(server.to, "%s\n", words.c_str());
   std::fflush(server.to);
   bool ended;
-  Trials trials = read_trials(server.from, way.statistics(programs), ended);
+  Trials trials = read_trials(server.from, setting.statistics(programs), ended);
   if (!ended) {
     server.stop();
     servers.erase(found);
@@ -111,20 +113,28 @@ Trials run(const Programs& programs, const Way& way, const std::string& words) {
 }  // namespace
 
 void stop_programs() {
-  for (const auto& [way, server] : servers) server.stop();
+  for (const auto& [setting, server] : servers) server.stop();
   servers.clear();
 }
 
+void stop_native_programs() {
+  std::erase_if(servers, [](const auto& started) {
+    const auto& [setting, server] = started;
+    if (!setting.with_truequad) server.stop();
+    return !setting.with_truequad;
+  });
+}
+
 Trials run_trials(const Programs& programs, bool with_truequad, std::uint64_t first, std::uint64_t count, Kind kind) {
-  return run(programs, {with_truequad, with_truequad && kind == Kind::kWarped, false},
+  return run(programs, {with_truequad, with_truequad && kind == Kind::kWarped, Way::kPlain},
              "--trials " + std::to_string(first) + " " + std::to_string(count));
 }
 
 Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind, bool print,
-                     bool dirty) {
+                     Way way) {
   const std::string path = programs.scratch + "/sequences";
   write(sequences, path);
-  return run(programs, {with_truequad, with_truequad && kind == Kind::kWarped, dirty}, "--file " + path + (print ? " --print" : ""));
+  return run(programs, {with_truequad, with_truequad && kind == Kind::kWarped, way}, "--file " + path + (print ? " --print" : ""));
 }
 
 }  // namespace truequad::fuzz
