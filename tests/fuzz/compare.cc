@@ -59,6 +59,9 @@ std::string finding_in(const Programs& programs, const Sequence& sequence, Kind 
   const Seen ours = run_sequences(programs, true, {sequence}, kind)[0], native = run_sequences(programs, false, {sequence}, kind)[0];
   const std::string found = difference(native, ours, kind);
   if (found.empty() || run_sequences(programs, false, {sequence}, kind, false, Way::kProbed)[0].status != 0) return "";
+  const Seen ours_settled = run_sequences(programs, true, {sequence}, kind, false, Way::kSettled)[0],
+             settled = run_sequences(programs, false, {sequence}, kind, false, Way::kSettled)[0];
+  if (settled.status == 0 && difference(settled, ours_settled, kind).empty()) return "";
   return is_steady(programs, sequence, kind, native, processes) ? found : "";
 }
 

@@ -28,6 +28,7 @@ enum class Way : std::uint8_t {
   kPlain,
   kDirty,   // new memory is not zero, so that what a driver reads without having written it shows
   kProbed,  // after each step it is asked whether the driver knows if it is between glBegin and glEnd
+  kSettled, // values that a list leaves open are set anew also where another list calls it
 };
 // Numbered from 0.
 Trials run_sequences(const Programs& programs, bool with_truequad, const std::vector<Sequence>& sequences, Kind kind,
@@ -42,7 +43,7 @@ void stop_native_programs();
 std::string difference(const Seen& native, const Seen& ours, Kind kind);
 
 // What goes wrong with a sequence that runs alone; empty: nothing. Native runs that differ, some of them with dirty
-// memory, or that end, are nobody's fault; nor is a driver that loses its way between glBegin and glEnd.
+// memory, or that end, are nobody's fault; nor is a driver that loses its way between glBegin and glEnd, or what differs no more if kSettled.
 std::string finding(const Programs& programs, const Sequence& sequence, Kind kind);
 
 // The shortest sequence found with the same finding, in so many seconds.

@@ -52,6 +52,7 @@ struct Player {
 void execute(const Op& op, Player& player);
 
 // list_values.cc
+extern bool settling;  // what a list that is called leaves open is set anew also in a list that is only compiled
 void note_new_list(Player& player, GLuint name, bool executed);
 // These lists call the one that is being compiled, executed, and defined anew.
 bool call_redefined(const Player& player, std::uint32_t called);

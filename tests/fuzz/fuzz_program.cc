@@ -218,6 +218,7 @@ int serve() {
 
 int main(int count, char** arguments) {
   probing = std::getenv("FUZZ_PROBE");
+  settling = std::getenv("FUZZ_SETTLE");
   load_gl();
   fill_arena();
   create_contexts();

@@ -4,6 +4,9 @@
 #include "execute.h"
 
 namespace truequad::fuzz {
+
+bool settling = false;
+
 namespace {
 
 int place_of_list(GLuint name) { return name < Player::kLists ? int(name) : 0; }
@@ -59,7 +62,7 @@ void note_end(Player& player) {
 
 void note_call(Player& player, std::uint32_t called) {
   if (player.compiled) player.compiled->called |= called;
-  if (player.compiled && !player.executed) return;
+  if (player.compiled && !player.executed && !settling) return;
   const unsigned open = values_left_open(player, called);
   note_values(player, open);
   set_values(open);

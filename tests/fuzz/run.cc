@@ -49,6 +49,7 @@ Server start(const Programs& programs, const Setting& setting) {
     ::setenv("ASAN_OPTIONS", "detect_leaks=0:verify_asan_link_order=0", 0);
     if (setting.way == Way::kDirty) ::setenv("MALLOC_PERTURB_", "165", 1);
     if (setting.way == Way::kProbed) ::setenv("FUZZ_PROBE", "1", 1);
+    if (setting.way == Way::kSettled) ::setenv("FUZZ_SETTLE", "1", 1);
     // Lists that call themselves draw tens of thousands of quads in a second; to correct them takes longer.
     ::setenv("FUZZ_SECONDS", setting.with_truequad ? "6" : "2", 1);
     if (setting.with_truequad) {
