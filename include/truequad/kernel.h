@@ -68,6 +68,8 @@ struct View {
   // snapping: the largest relative rounding of one operation (2^-24 for single precision). 0 = exact, from snapped vertices.
   // Where this is not 0, fragments are taken to be at the centres of pixels: no multisampling.
   double setup_rounding = 0;
+  // The near and the far plane cut nothing away: all that is before the eye and inside the viewport counts (GL_DEPTH_CLAMP).
+  bool depth_clamped = false;
 };
 
 // Thresholds of the published algorithm (Oliveira 2001): dot-product tests in object and texture space, and the

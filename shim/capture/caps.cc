@@ -41,6 +41,8 @@ constexpr struct {
     {"EXT_fragment_lighting", &Caps::fragment_lighting},
     {"SGIX_fragment_lighting", &Caps::fragment_lighting},
     {"ARB_color_buffer_float", &Caps::float_mode},
+    {"NV_depth_clamp", &Caps::depth_clamp},
+    {"ARB_depth_clamp", &Caps::depth_clamp},
     {"EXT_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_vertex_buffer_object", &Caps::buffers},
@@ -126,6 +128,7 @@ Caps read_caps(const Driver& driver) {
   caps.primitive_queries |= version >= 30;
   caps.statistics_queries |= version >= 46;
   caps.provoking_vertex |= version >= 32;
+  caps.depth_clamp |= version >= 32;
   caps.buffers |= version >= 15;
   caps.generic_attributes_core = version >= 20;
   caps.restart_core = version >= 31;

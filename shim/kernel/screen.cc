@@ -87,7 +87,8 @@ bool make_screen_quad(const Corners& position, const View& view, ScreenQuad& qua
   for (int i = 0; i < 4; ++i) {
     const Vec4& p = position[i];
     const auto row = [&](int r) { return m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r] * p.w; };
-    quad.corner[i] = {row(0) * quad.half_width, row(1) * quad.half_height, row(2), row(3)};
+    // Depth 0 is between the near and the far plane wherever w >= 0, which the other planes together ask for.
+    quad.corner[i] = {row(0) * quad.half_width, row(1) * quad.half_height, view.depth_clamped ? 0 : row(2), row(3)};
     if (!finite(quad.corner[i])) return false;
   }
   quad.along_u = quad.corner[1] - quad.corner[0];

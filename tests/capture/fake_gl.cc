@@ -336,6 +336,7 @@ struct Functions {
     const int v = g.version_number();
     if (unknown(g, name) || (name == GL_TEXTURE_3D && v < 12) || (name == GL_TEXTURE_CUBE_MAP && v < 13) ||
         (name == GL_TEXTURE_RECTANGLE && v < 31 && !g.extension("ARB_texture_rectangle")) ||
+        (name == GL_DEPTH_CLAMP && v < 32 && !g.extension("ARB_depth_clamp")) ||
         (name == GL_VERTEX_PROGRAM_ARB && !g.extension("ARB_vertex_program")) ||
         (name == GL_FRAGMENT_PROGRAM_ARB && !g.extension("ARB_fragment_program")) ||
         (name == GL_FRAGMENT_PROGRAM_NV && !g.extension("NV_fragment_program")) ||

@@ -87,6 +87,7 @@ void draw(const Scene& scene, int pass, GLuint coordinates, GLuint ones) {
   }
   const bool strip = scene.primitives.front().mode == Mode::kQuadStrip;
   glShadeModel(strip ? GL_FLAT : GL_SMOOTH);
+  scene.depth_clamped ? glEnable(GL_DEPTH_CLAMP) : glDisable(GL_DEPTH_CLAMP);
   for (const Primitive& primitive : scene.primitives) send(primitive);
 }
 

@@ -26,7 +26,7 @@ constexpr std::array<float, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,
 
 // Seeds move the viewport about, so that nothing is right only at the origin.
 Scene empty_scene(unsigned seed, int width, int height) {
-  Scene scene{width, height, {int(seed % 7), int(seed % 5), width - 8, height - 8}, kIdentity, kIdentity, {}};
+  Scene scene{width, height, {int(seed % 7), int(seed % 5), width - 8, height - 8}, kIdentity, kIdentity, {}, false};
   return scene;
 }
 
@@ -104,6 +104,17 @@ Scene perspective(unsigned seed, int width, int height) {
   const float in = random.in(0.1, 0.35);
   add_quad(scene, Mode::kQuads, {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}},
            {{{0.1f, 0.1f}, {0.9f, 0.1f}, {0.9f - in, 0.9f}, {0.1f + in, 0.9f}}});
+  return scene;
+}
+
+// The same with a near and a far plane that leave little of it or nothing, and cut nothing away: "if depth clamping is enabled,
+// the -w_c <= z_c <= w_c plane equation is ignored by view volume clipping" (GL 4.6 compatibility section 13.7).
+Scene depth_clamped(unsigned seed, int width, int height) {
+  Scene scene = perspective(seed, width, height);
+  const double near = 0.5 + seed % 7, far = 1.1 * near;
+  scene.projection[10] = float(-(far + near) / (far - near));
+  scene.projection[14] = float(-2 * far * near / (far - near));
+  scene.depth_clamped = true;
   return scene;
 }
 
@@ -307,6 +318,7 @@ const std::vector<Family>& families() {
   static const std::vector<Family> kept = {
       {"trapezoid", trapezoid, false, true},
       {"perspective", perspective, false, true},
+      {"depth_clamped", depth_clamped, false, true},
       {"dragged", dragged, false, false},
       {"polygon", polygon, false, false},
       {"collapsed", collapsed, false, false},
@@ -354,6 +366,7 @@ std::vector<DrawnQuad> quads_of(const Scene& scene, double snap_px) {
   view.viewport = {double(x), double(y), double(width), double(height)};
   view.snap_px = snap_px;
   view.setup_rounding = 0x1p-24;
+  view.depth_clamped = scene.depth_clamped;
 
   std::vector<DrawnQuad> quads;
   for (const Primitive& primitive : scene.primitives) {

@@ -28,6 +28,7 @@ struct Scene {
   std::array<int, 4> viewport{};                // as glViewport takes it
   std::array<float, 16> projection, modelview;  // column-major
   std::vector<Primitive> primitives;
+  bool depth_clamped = false;                   // GL_DEPTH_CLAMP
 };
 
 // A family of scenes: one for each seed.
