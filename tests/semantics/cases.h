@@ -32,5 +32,6 @@ const std::vector<Scene>& query_scenes();
 const std::vector<Scene>& state_scenes();
 const std::vector<Scene>& call_scenes();
 const std::vector<Scene>& hard_scenes();
+const std::vector<Scene>& old_program_scenes();
 
 }  // namespace truequad::semantics

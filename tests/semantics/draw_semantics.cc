@@ -32,7 +32,7 @@ bool draw_passes(const std::string& wanted, unsigned first, unsigned seeds) {
 
 bool draw_scene(const std::string& wanted, unsigned first, unsigned seeds) {
   for (const auto* scenes : {&colour_scenes(), &light_scenes(), &random_light_scenes(), &polygon_scenes(), &texture_scenes(),
-                             &query_scenes(), &state_scenes(), &call_scenes(), &hard_scenes()}) {
+                             &query_scenes(), &state_scenes(), &call_scenes(), &hard_scenes(), &old_program_scenes()}) {
     for (const Scene& scene : *scenes) {
       if (wanted != scene.name) continue;
       scene.draw(first, seeds);

@@ -101,6 +101,14 @@ const std::vector<Expected> kScenes = {
     {"bad_viewports", 0, Corrected::kSome, 1},
     {"flat_textures", 0, Corrected::kSome, 1},
     {"touched_once", 0, Corrected::kSome, 120},
+    {"mirrored_sides", 1, Corrected::kSome, 1},
+    {"accumulated", 1},
+    {"copied", 0},
+    {"reversed_depth", 0},
+    {"nested_names", 0},
+    {"fed_in_every_form", 0, Corrected::kSome, 1},
+    {"everything_in_a_list", 0},
+    {"nested_lists", 0, Corrected::kSome, 1},
 };
 
 constexpr std::size_t kPictureBytes = std::size_t(kWidth) * kHeight * 4;
@@ -175,7 +183,8 @@ TEST_P(OtherInterfaces, AreTheDriversOwn) {
 bool draws_shapes(const std::string& scene) {
   for (const char* other : {"feedback", "selection", "state", "attribute_stack", "lists", "debug_output", "names", "errors_at_last", "flat_random_lights",
                             "pictures_of_calls", "illegal_calls", "legal_calls", "calls_of_mixed_sizes", "bad_vertices", "extreme_vertices",
-                            "lit_by_bad_numbers", "bad_matrices", "bad_viewports"}) {
+                            "lit_by_bad_numbers", "bad_matrices", "bad_viewports", "nested_names", "fed_in_every_form",
+                            "everything_in_a_list", "nested_lists"}) {
     if (scene == other) return false;
   }
   return true;
