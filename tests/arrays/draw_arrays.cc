@@ -372,6 +372,7 @@ std::map<std::string, Way> ways() {
   };
   add_list_ways(all);
   add_typed_ways(all);
+  add_attribute_ways(all);
   add_buffer_ways(all);
   return all;
 }

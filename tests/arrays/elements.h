@@ -49,6 +49,9 @@ std::vector<T> shuffled(std::vector<Element>& elements) {
 // Arrays of every type, whose numbers are integers: "typed_immediate" and others that draw the same.
 void add_typed_ways(std::map<std::string, Way>& ways);
 
+// Normals, colours, secondary colours and fog coordinates of every type: "lit_bytes", "lit_bytes_immediate", "colored_bytes" …
+void add_attribute_ways(std::map<std::string, Way>& ways);
+
 // Arrays in buffer objects, whose contents come about in many ways.
 void add_buffer_ways(std::map<std::string, Way>& ways);
 
