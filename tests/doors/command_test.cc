@@ -175,22 +175,33 @@ TEST(Command, StandsForTheLibrariesThatItWasBuiltFor) {
   expect_complaint(truequad({"--library-path", "--vendor", "true"}), 2, "--library-path");
 }
 
+// Root makes a program that is somebody else's; anybody else finds one that is root's.
+std::string privileged_program(const Scratch& scratch) {
+  if (::getuid() != 0) return "/usr/bin/su";
+  const std::string program = scratch / "privileged";
+  fs::copy_file("/bin/true", program);
+  EXPECT_EQ(::chown(program.c_str(), 65534, 65534), 0);
+  EXPECT_EQ(::chmod(program.c_str(), 04755), 0);
+  fs::permissions(scratch.path(), fs::perms::owner_all | fs::perms::others_exec | fs::perms::group_exec);
+  return program;
+}
+
 // With privileges of its own a program gets neither; it runs all the same.
 TEST(Command, SaysThatAProgramHasPrivileges) {
   const Scratch scratch;
-  // Root makes a program that is somebody else's; anybody else finds one that is root's.
-  std::string program = "/usr/bin/su";
-  if (::getuid() == 0) {
-    program = scratch / "privileged";
-    fs::copy_file("/bin/true", program);
-    ASSERT_EQ(::chown(program.c_str(), 65534, 65534), 0);
-    ASSERT_EQ(::chmod(program.c_str(), 04755), 0);
-    fs::permissions(scratch.path(), fs::perms::owner_all | fs::perms::others_exec | fs::perms::group_exec);
-  }
+  const std::string program = privileged_program(scratch);
   const Ended ended = truequad({program, "--version"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("privileges"));
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
+// Where no process may gain privileges it has none, and is reached.
+TEST(Command, SaysNothingOfPrivilegesThatAreNotGiven) {
+  const Scratch scratch;
+  const Ended ended = run({"setpriv", "--no-new-privs", kCommand, privileged_program(scratch), "--version"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.err, "");
 }
 
 TEST(Command, FindsTheLibraryWhereItWasInstalled) {

@@ -4,7 +4,9 @@
 
 #include <dlfcn.h>
 #include <link.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/xattr.h>
 #include <unistd.h>
 
@@ -154,8 +156,14 @@ bool is_privileged(const std::string& program) {
     const std::string file = place.empty() ? program : place + "/" + program;
     struct stat status;
     if (::access(file.c_str(), X_OK) != 0 || ::stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
-    if ((status.st_mode & S_ISUID) && status.st_uid != ::getuid()) return true;
-    if ((status.st_mode & S_ISGID) && status.st_gid != ::getgid()) return true;
+    // A file system may give no privileges (mount(8), nosuid).
+    struct statvfs system;
+    if (::statvfs(file.c_str(), &system) == 0 && (system.f_flag & ST_NOSUID)) return false;
+    // Nor does a process that is to have no more of them get another user's, though it is secure with capabilities of a file.
+    if (::prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) != 1) {
+      if ((status.st_mode & S_ISUID) && status.st_uid != ::getuid()) return true;
+      if ((status.st_mode & S_ISGID) && status.st_gid != ::getgid()) return true;
+    }
     // Capabilities of a file, which give root nothing new.
     return ::getuid() != 0 && ::getxattr(file.c_str(), "security.capability", nullptr, 0) > 0;
   }
