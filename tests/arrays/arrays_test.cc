@@ -224,6 +224,18 @@ TEST(Arrays, AreReadOnlyWhileTheDriverReadsThem) {
   EXPECT_EQ(json.value("corrected", 0), 2 * 13 + 4);
 }
 
+// What a driver does with buffers that are deleted differs: where it ends by a signal, it does so with us, and no sooner.
+TEST(Arrays, OfDeletedBuffersAreTheDriversOwn) {
+  for (const char* what : {"bound", "bound_in_a_list", "mapped", "created_again", "kept_by_an_object",
+                           "kept_by_an_object_and_created_again", "indices", "indices_kept_by_an_object_and_created_again"}) {
+    SCOPED_TRACE(what);
+    const auto native = run({ASK_DELETED, what}), ours = run({ASK_DELETED, what}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}});
+    EXPECT_NE(native.out, "");
+    EXPECT_EQ(ours.out, native.out);
+    EXPECT_EQ(ours.status, native.status);
+  }
+}
+
 // The driver draws nothing, so that what grows is memory of ours, or what the driver keeps of any draw.
 TEST(Arrays, MemoryIsBoundedForTenMillionVertices) {
   for (const std::string way : {"indices", "buffer_of_indices", "arrays", "buffer", "list", "list_of_arrays"}) {
