@@ -52,7 +52,7 @@ struct Player {
 void execute(const Op& op, Player& player);
 
 // list_values.cc
-extern bool settling;  // what a list that is called leaves open is set anew also in a list that is only compiled
+extern bool settling;  // values that are open are set anew also within lists
 void note_new_list(Player& player, GLuint name, bool executed);
 // These lists call the one that is being compiled, executed, and defined anew.
 bool call_redefined(const Player& player, std::uint32_t called);
@@ -61,8 +61,10 @@ void note_begin(Player& player, GLenum mode);
 void note_end(Player& player);
 void note_values(Player& player, unsigned values);
 void note_colour(Player& player, int numbers);
-// What the list that is compiled, or one that it calls, leaves open is set anew.
+// If `settling`: what the list that is compiled, or one that it calls, leaves open is set anew.
 void settle_values(Player& player);
+// And the last piece of a primitive that Mesa executes in pieces is executed.
+void settle_pieces(const Player& player);
 std::uint32_t list_bit(GLuint name);
 void note_call(Player& player, std::uint32_t called);  // bits of lists
 unsigned values_left_open(const Player& player, std::uint32_t called);

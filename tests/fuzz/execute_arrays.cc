@@ -241,6 +241,7 @@ void execute_arrays(const Op& op, Player& player) {
     case Step::kDrawArrays: case Step::kDrawElements:
       // Mesa leaves out, or refuses, what comes after such a draw (README.md).
       if (op.index != 0 && player.compiled && player.colours_grew) return;
+      if (op.index != 0) settle_values(player);
       op.step == Step::kDrawArrays ? draw_arrays(random) : draw_elements(random);
       if (op.index != 0) set_all_values(player);
       return;

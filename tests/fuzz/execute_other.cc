@@ -117,7 +117,9 @@ void execute_other(const Op& op, Player& player) {
     case Step::kRenderMode: return render_mode(random);
     case Step::kNames: return names(random);
     case Step::kEvaluator: return evaluator(random);
-    case Step::kRect: return rectangle(random);
+    case Step::kRect:
+      settle_values(player);
+      return rectangle(random);
     case Step::kClear: return GL(Clear, random.of<GLbitfield>({GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT,
                                                               GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, 0x10}));
     case Step::kPixels: return pixels(random, player);

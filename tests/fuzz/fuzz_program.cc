@@ -255,10 +255,14 @@ void record_errors() {
 
 void execute(const Op& op, Player& player) {
   switch (op.step) {
-    case Step::kBegin: note_begin(player, GLenum(op.index)); return GL(Begin, GLenum(op.index));
+    case Step::kBegin:
+      settle_values(player);
+      note_begin(player, GLenum(op.index));
+      return GL(Begin, GLenum(op.index));
     case Step::kEnd:
       note_end(player);
       GL(End);
+      settle_pieces(player);
       if (!player.listing) expect_outside();
       return;
     case Step::kTexCoord: note_values(player, kTextures); return execute_vertex(op);

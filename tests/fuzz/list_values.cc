@@ -99,10 +99,15 @@ unsigned values_left_open(const Player& player, std::uint32_t called) {
 }
 
 void settle_values(Player& player) {
-  if (!player.compiled) return;
+  if (!settling || !player.compiled || player.in_primitive) return;
   const unsigned open = values_left_open(player, 1u << (player.compiled - player.lists));
   note_values(player, open);
   set_values(open);
+}
+
+void settle_pieces(const Player& player) {
+  // Any call would do that changes nothing.
+  if (settling && player.compiled && player.executed && player.colours_grew) GL(PixelZoom, 1.0f, 1.0f);
 }
 
 void note_end_list(Player& player) {
