@@ -139,13 +139,15 @@ GLuint packed_type(Random& random) {
   return random.of<GLuint>({GL_INT_2_10_10_10_REV, GL_UNSIGNED_INT_2_10_10_10_REV});
 }
 
-void make(Random& random, const Entry& entry, Values values, bool exact = false) {
+// False: the call is an error.
+bool make(Random& random, const Entry& entry, Values values, bool exact = false) {
   if (entry.number == Number::kPacked) {
     // After a name (MultiTexCoordP, VertexAttribP), or first.
     values.leading[1] = exact ? GL_INT_2_10_10_10_REV : packed_type(random);
     values.leading[2] = GLuint(random.below(2));
   }
   entry.make(entry.name, values);
+  return entry.number != Number::kPacked || values.leading[1] == GL_INT_2_10_10_10_REV || values.leading[1] == GL_UNSIGNED_INT_2_10_10_10_REV;
 }
 
 }  // namespace
@@ -167,7 +169,7 @@ Corner corner(std::uint32_t shape, int index, unsigned warp) {
   return c;
 }
 
-void execute_vertex(const Op& op) {
+void execute_vertex(const Op& op, Player& player) {
   Random random(op.seed);
   const Corner c = corner(op.shape, op.index, op.warp);
   const bool plain = !(op.warp & kVarious) || random.chance(40);
@@ -177,15 +179,17 @@ void execute_vertex(const Op& op) {
     const Family family = !plain && random.chance(30) ? Family::MultiTexCoord : Family::TexCoord;
     Values values = {{double(c.s), double(c.t), 0, 1}, {GL_TEXTURE0 + GLuint(op.warp & kOneSlot ? 0 : random.below(100) / 85), 0, 0}};
     if (random.chance(1) && !(op.warp & kOneSlot)) values.leading[0] = random.of<GLuint>({GL_TEXTURE0 + 40, 0, GL_TEXTURE0 - 1});
-    return make(random, some_call(random, family, size), values);
+    make(random, some_call(random, family, size), values);
+    return;
   }
   const int z = size == 2 ? 0 : c.z;
+  ++player.vertices;
   if (plain && size == 3) return GL(Vertex3f, GLfloat(c.x), GLfloat(c.y), GLfloat(z));
   Values values = {{double(c.x), double(c.y), double(z), 1}, {0, 0, 0}};
   const bool exact = op.warp & kExact;
   if (random.chance(1) && !exact) values.at[random.below(4)] = random.of<double>({NAN, INFINITY, 1e30, 1e-40, 0});
-  make(random, some_call(random, !plain && random.chance(6) ? Family::VertexAttrib : Family::Vertex, size, exact ? &values : nullptr), values,
-       exact);
+  const Family family = !plain && random.chance(6) ? Family::VertexAttrib : Family::Vertex;
+  if (!make(random, some_call(random, family, size, exact ? &values : nullptr), values, exact)) --player.vertices;
 }
 
 // How many numbers Mesa keeps of a colour that is given by three: of most types it makes a glColor4f.

@@ -70,7 +70,7 @@ void note_call(Player& player, std::uint32_t called);  // bits of lists
 unsigned values_left_open(const Player& player, std::uint32_t called);
 
 // Parts of execute(), a file for each.
-void execute_vertex(const Op& op);       // attributes.cc
+void execute_vertex(const Op& op, Player& player);       // attributes.cc
 void execute_attribute(const Op& op, Player& player);
 void execute_material(const Op& op);
 void execute_list(const Op& op, Player& player);   // execute_lists.cc

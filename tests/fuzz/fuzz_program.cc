@@ -265,8 +265,8 @@ void execute(const Op& op, Player& player) {
       settle_pieces(player);
       if (!player.listing) expect_outside();
       return;
-    case Step::kTexCoord: note_values(player, kTextures); return execute_vertex(op);
-    case Step::kVertex: ++player.vertices; return execute_vertex(op);
+    case Step::kTexCoord: note_values(player, kTextures); return execute_vertex(op, player);
+    case Step::kVertex: return execute_vertex(op, player);
     case Step::kAttribute:
       note_values(player, op.warp & kOneSlot ? kColours : kAllValues);
       return execute_attribute(op, player);
