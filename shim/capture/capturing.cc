@@ -43,7 +43,7 @@ constexpr Driver make_capturing() {
 #define TQ_NOTED(name) table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
   TQ_NOTED(DeleteBuffers) TQ_NOTED(DeleteBuffersARB) TQ_NOTED(Disable) TQ_NOTED(Enable)
   TQ_NOTED(Clear) TQ_NOTED(DepthFunc) TQ_NOTED(StencilOp) TQ_NOTED(StencilOpSeparate)
-  TQ_NOTED(CallList) TQ_NOTED(CallLists) TQ_NOTED(ListBase) TQ_NOTED(DeleteLists) TQ_NOTED(GenLists) TQ_NOTED(IsList)
+  TQ_NOTED(CallList) TQ_NOTED(CallLists) TQ_NOTED(ListBase) TQ_NOTED(PopAttrib) TQ_NOTED(DeleteLists) TQ_NOTED(GenLists) TQ_NOTED(IsList)
   TQ_NOTED(GetBooleanv) TQ_NOTED(GetDoublev) TQ_NOTED(GetFloatv) TQ_NOTED(GetIntegerv)
   TQ_NOTED(NewList) TQ_NOTED(EndList)
 #undef TQ_NOTED

@@ -50,6 +50,7 @@ struct ContextRecord {
   ListCompile* list = nullptr;  // likewise
   ShareGroup* group = nullptr;  // null without memory
   GLuint list_base = 0;         // as it was when it was set, or could be asked for
+  bool list_base_set = false;   // by the program: else glPopAttrib brings back no other
   GLuint relist_name = 0;       // of the list that relist.h compiles; 0: not chosen yet
   ArrayMemory* arrays = nullptr;  // allocated with the first draw of quads from arrays
   Caps caps;

@@ -44,6 +44,26 @@ GLuint name_at(GLenum type, const void* names, GLsizei i) {
   }
 }
 
+// Between glBegin and glEnd it cannot be asked for.
+void ask_list_base(Entry& e) {
+  if (e.inside || e.list) return;
+  GLint base = 0;
+  e.driver->GetIntegerv(GL_LIST_BASE, &base);
+  e.context->list_base = GLuint(base);
+}
+
+// After calls of lists.
+void note_called(Entry& e) {
+  const ShareGroup* const group = group_of(e);
+  if (!group) return;
+  if (group->base_in_lists.load(std::memory_order_relaxed)) {
+    e.context->list_base_set = true;
+  } else if (!e.context->list_base_set || !group->pop_in_lists.load(std::memory_order_relaxed)) {
+    return;
+  }
+  ask_list_base(e);
+}
+
 bool is_name_type(GLenum type) { return type >= GL_BYTE && type <= GL_4_BYTES; }
 
 // A list has left the driver between glBegin and glEnd, or has ended a primitive, perhaps one that was captured.
@@ -145,7 +165,10 @@ class ListsAreCalled {
 
 void call_list(Entry& e, GLuint name) {
   const ListsAreCalled called(e);
-  if (!e.list) return play_list(e, name);
+  if (!e.list) {
+    play_list(e, name);
+    return note_called(e);
+  }
   barrier(e);
   // Whether a list 0 is an error, and when, is the driver's to say.
   if (name == 0 || !compile_call(e, name)) e.dispatch->CallList(name);
@@ -153,7 +176,10 @@ void call_list(Entry& e, GLuint name) {
 
 void call_lists(Entry& e, GLsizei count, GLenum type, const void* names) {
   const ListsAreCalled called(e);
-  if (!e.list) return play_lists(e, count, type, names);
+  if (!e.list) {
+    play_lists(e, count, type, names);
+    return note_called(e);
+  }
   barrier(e);
   if (!compile_calls(e, count, type, names)) e.dispatch->CallLists(count, type, names);
 }
@@ -247,7 +273,18 @@ void lists_made(Entry& e, GLuint first, GLsizei count) {
 
 void list_base(Entry& e, GLuint base) {
   e.dispatch->ListBase(base);
-  if (e.context && !e.inside && (!e.list || e.list->mode == GL_COMPILE_AND_EXECUTE)) e.context->list_base = base;
+  if (!e.context) return;
+  if (e.list && e.context->group) e.context->group->base_in_lists.store(true, std::memory_order_relaxed);
+  if (e.inside || (e.list && e.list->mode == GL_COMPILE)) return;
+  e.context->list_base = base;
+  e.context->list_base_set = true;
+}
+
+void pop_attrib(Entry& e) {
+  e.dispatch->PopAttrib();
+  if (!e.context) return;
+  if (e.list && e.context->group) e.context->group->pop_in_lists.store(true, std::memory_order_relaxed);
+  if (e.context->list_base_set) ask_list_base(e);
 }
 
 bool list_answer(const Entry& e, GLenum name, GLint& answer) {

@@ -9,6 +9,7 @@ namespace truequad {
 void call_list(Entry& entry, GLuint list);
 void call_lists(Entry& entry, GLsizei count, GLenum type, const void* lists);
 void list_base(Entry& entry, GLuint base);
+void pop_attrib(Entry& entry);
 void delete_lists(Entry& entry, GLuint first, GLsizei count);
 GLuint gen_lists(Entry& entry, GLsizei count);
 GLboolean is_list(Entry& entry, GLuint list);

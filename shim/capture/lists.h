@@ -63,6 +63,8 @@ class ShareGroup {
  public:
   std::atomic<int> users{1};
   BufferChanges buffers;
+  // Some list that was compiled has glListBase or glPopAttrib, so that calling it may change the base.
+  std::atomic<bool> base_in_lists{false}, pop_in_lists{false};
   static void release(ShareGroup* group);
   ~ShareGroup();
 

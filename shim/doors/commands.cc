@@ -32,6 +32,7 @@ TRUEQUAD_DOOR void GLAPIENTRY glCallLists(GLsizei count, GLenum type, const void
   truequad::call_lists(truequad::entry, count, type, lists);
 }
 TRUEQUAD_DOOR void GLAPIENTRY glListBase(GLuint base) { truequad::list_base(truequad::entry, base); }
+TRUEQUAD_DOOR void GLAPIENTRY glPopAttrib() { truequad::pop_attrib(truequad::entry); }
 TRUEQUAD_DOOR void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
   truequad::delete_lists(truequad::entry, list, range);
 }

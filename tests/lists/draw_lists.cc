@@ -77,6 +77,25 @@ void inside_executed_begin(const Scene& scene, bool many) {
   }
 }
 
+// Lists of vertices, called together in a primitive, after `set_base` has made 2000 the base.
+template <typename F>
+void inside_begin_by_base(const Scene& scene, F set_base) {
+  for (const Primitive& p : scene.primitives) {
+    std::vector<GLubyte> names;
+    for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+      glNewList(2000 + GLuint(i), GL_COMPILE);
+      vertex(p.vertices[i]);
+      glEndList();
+      names.push_back(GLubyte(i));
+    }
+    set_base();
+    glBegin(mode_of(p));
+    glCallLists(GLsizei(names.size()), GL_UNSIGNED_BYTE, names.data());
+    glEnd();
+    glListBase(0);
+  }
+}
+
 // Three quads side by side in one glBegin. The outer ones are nearly affine, so that they need no correction, but their
 // colours and textures show along which diagonal they are cut; the one in the middle needs correction.
 void three_quads() {
@@ -234,22 +253,38 @@ std::map<std::string, Way> ways() {
            glEnd();
          }
        }},
-      {"inside_begin_by_base",
+      {"inside_begin_by_base", [](const Scene& s) { inside_begin_by_base(s, [] { glListBase(2000); }); }},
+      {"inside_begin_by_popped_base",
        [](const Scene& s) {
-         for (const Primitive& p : s.primitives) {
-           std::vector<GLubyte> names;
-           for (std::size_t i = 0; i < p.vertices.size(); ++i) {
-             glNewList(2000 + GLuint(i), GL_COMPILE);
-             vertex(p.vertices[i]);
-             glEndList();
-             names.push_back(GLubyte(i));
-           }
+         inside_begin_by_base(s, [] {
            glListBase(2000);
-           glBegin(mode_of(p));
-           glCallLists(GLsizei(names.size()), GL_UNSIGNED_BYTE, names.data());
-           glEnd();
+           glPushAttrib(GL_LIST_BIT);
+           glListBase(3000);
+           glPopAttrib();
+         });
+       }},
+      {"inside_begin_by_listed_base",
+       [](const Scene& s) {
+         inside_begin_by_base(s, [] {
+           glNewList(1, GL_COMPILE);
+           glListBase(2000);
+           glEndList();
+           glCallList(1);
+         });
+       }},
+      {"inside_begin_by_base_popped_in_list",
+       [](const Scene& s) {
+         inside_begin_by_base(s, [] {
+           glNewList(1, GL_COMPILE);
+           glPopAttrib();
+           glEndList();
+           glListBase(2000);
+           glPushAttrib(GL_LIST_BIT);
+           glListBase(3000);
+           const GLubyte name = 1;
            glListBase(0);
-         }
+           glCallLists(1, GL_UNSIGNED_BYTE, &name);
+         });
        }},
       {"three_quads", [](const Scene&) { three_quads(); }},
       {"inside_executed_begin", [](const Scene& s) { inside_executed_begin(s, false); }},

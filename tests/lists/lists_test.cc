@@ -61,7 +61,8 @@ struct Way {
 };
 constexpr Way kWays[] = {{"list"},       {"without_gen"}, {"execute"},   {"execute_then_call", 2}, {"called_twice", 2},
                          {"nested"},     {"each_its_own"}, {"call_lists_in_list"}, {"redefined"}, {"redefined_as_triangles", 1, false},
-                         {"inside_begin"}, {"inside_begin_by_base"}, {"among_others"}, {"shared"}, {"matrices_in_list"}};
+                         {"inside_begin"}, {"inside_begin_by_base"},
+                         {"inside_begin_by_popped_base"}, {"inside_begin_by_listed_base"}, {"inside_begin_by_base_popped_in_list"}, {"among_others"}, {"shared"}, {"matrices_in_list"}};
 
 class Ways : public testing::TestWithParam<Way> {};
 

@@ -47,7 +47,7 @@ bool has_own_door(const std::string& name) {
   static const std::set<std::string> names = {
       "Begin",    "CallList",   "CallLists",   "Clear",  "DeleteLists", "DepthFunc", "Disable",  "Enable",
       "End",      "EndList",    "GenLists",    "GetBooleanv", "GetDoublev", "GetFloatv", "GetIntegerv", "IsList",
-      "ListBase", "NewList",    "StencilOp",   "StencilOpSeparate"};
+      "ListBase", "NewList",    "PopAttrib", "StencilOp",   "StencilOpSeparate"};
   return names.contains(name) || draws_from_arrays(name);
 }
 
