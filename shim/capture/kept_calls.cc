@@ -28,15 +28,15 @@ unsigned pointed_numbers([[maybe_unused]] GLenum property) {
 }
 
 // Whether a call can be kept. Drivers reject packed numbers of a type that they do not know at once, not when the list is
-// called; which they know besides these two is theirs to say. Materials of fixed-point numbers Mesa sets at once, while a list
-// is compiled, and compiles nothing. Of glMaterial*v GL reads nothing unless it knows the property.
+// called; which they know besides these two is theirs to say. Calls of fixed-point numbers Mesa makes at once, while a list
+// is compiled, and compiles nothing, or refuses them. Of glMaterial*v GL reads nothing unless it knows the property.
 template <Row row>
 bool keepable([[maybe_unused]] GLenum property, [[maybe_unused]] GLenum packed_type) {
+  if constexpr (row.encoding == Encoding::kFixed) return false;
   if constexpr (row.encoding == Encoding::kPacked) {
     return packed_type == GL_UNSIGNED_INT_2_10_10_10_REV || packed_type == GL_INT_2_10_10_10_REV;
   }
   if constexpr (row.family == Family::Material) {
-    if (row.encoding == Encoding::kFixed) return false;
     if constexpr (!row.vector) return true;
     switch (property) {
       case GL_AMBIENT:

@@ -182,6 +182,10 @@ inline Step record(Capture& c, First first, Rest... rest) {
   constexpr bool kNamed = family == Family::MultiTexCoord || family == Family::VertexAttrib ||
                           family == Family::VertexAttribI || family == Family::VertexAttribL ||
                           family == Family::VertexAttribP;
+  if constexpr (row.encoding == Encoding::kFixed) {
+    // No call that a list could keep (kept_calls.cc).
+    if (c.listing) return give_up(c);
+  }
   if constexpr (family == Family::VertexAttribNV) {
     // These alias the conventional attributes (NV_vertex_program); a program that uses them has one bound.
     return give_up(c);

@@ -38,6 +38,45 @@ void say(const char* what) {
 
 void is(GLuint name) { std::printf("is %u: %d error %x\n", name, glIsList(name), glGetError()); }
 
+// Calls of fixed-point numbers, which Mesa makes at once and does not compile, or refuses: before anything else of a list, after a
+// quad that needs correction, in such a quad and in one after it.
+void ask_fixed() {
+  static const GLint numbers[2][4] = {{0x20000, 0x30000, 0, 0x10000}, {0x40000, 0x18000, 0, 0x10000}};
+  const auto unit = reinterpret_cast<void (*)(GLenum, GLint, GLint, GLint, GLint)>(OSMesaGetProcAddress("glMultiTexCoord4x"));
+  const auto color = reinterpret_cast<void (*)(const GLint*)>(OSMesaGetProcAddress("glColor3xvOES"));
+  for (int place = 0; place < 4; ++place) {
+    glTexCoord4f(0, 0, 0, 1);
+    glNewList(58, GL_COMPILE);
+    const auto calls = [&](const GLint* fixed) {
+      if (unit) unit(GL_TEXTURE0, fixed[0], fixed[1], fixed[2], fixed[3]);
+      if (color) color(fixed);
+    };
+    if (place == 0) {
+      calls(numbers[0]);
+      glVertex2f(0.5f, 0.5f);
+      calls(numbers[1]);
+    }
+    if (place == 1) quad(), calls(numbers[0]);
+    if (place == 3) quad();
+    if (place > 1) {
+      glBegin(GL_QUADS);
+      for (int i = 0; i < 4; ++i) {
+        glTexCoord2f(float(i % 3 > 0), float(i > 1));
+        if (i == 2) calls(numbers[1]);
+        glVertex2f(i == 2 ? 0.25f : float(i % 3 > 0), float(i > 1));
+      }
+      glEnd();
+    }
+    say("fixed: compiled");
+    glEndList();
+    say("fixed: ended");
+    if (place == 0) glBegin(GL_POINTS);
+    glCallList(58);
+    if (place == 0) glEnd();
+    say("fixed: called");
+  }
+}
+
 void ask_all() {
   say("start");
   const GLuint three = glGenLists(3);
@@ -330,6 +369,7 @@ void ask_all() {
   glCallList(57);
   glGetMaterialfv(GL_FRONT, GL_DIFFUSE, diffuse);
   std::printf("diffuse %g %g %g %g\n", diffuse[0], diffuse[1], diffuse[2], diffuse[3]);
+  ask_fixed();
   say("end");
 }
 
