@@ -44,11 +44,11 @@ GLuint name_at(GLenum type, const void* names, GLsizei i) {
   }
 }
 
-// Between glBegin and glEnd it cannot be asked for.
+// Between glBegin and glEnd it cannot be asked for; what is only compiled has not changed it.
 void ask_list_base(Entry& e) {
-  if (e.inside || e.list) return;
+  if (e.inside || (e.list && e.list->mode == GL_COMPILE)) return;
   GLint base = 0;
-  e.driver->GetIntegerv(GL_LIST_BASE, &base);
+  real_driver(e)->GetIntegerv(GL_LIST_BASE, &base);
   e.context->list_base = GLuint(base);
 }
 
@@ -80,10 +80,17 @@ void play(Entry& e, const SplitList& list) {
         barrier(e);
         e.driver->CallList(part->name);
         if (part->half != Part::Half::kNone) driver_is(e, part->half == Part::Half::kBegins);
+        note_called(e);
         break;
       case Part::Kind::kKept: play_kept(e, *part, Played::kCalled); break;
-      case Part::Kind::kCall: play_list(e, part->name); break;
-      case Part::Kind::kCallMany: play_lists(e, GLsizei(part->name), part->type, part->names); break;
+      case Part::Kind::kCall:
+        play_list(e, part->name);
+        note_called(e);
+        break;
+      case Part::Kind::kCallMany:
+        play_lists(e, GLsizei(part->name), part->type, part->names);
+        note_called(e);
+        break;
     }
   }
 }
@@ -271,10 +278,22 @@ void lists_made(Entry& e, GLuint first, GLsizei count) {
   for (SplitList* list; (list = group->take(first, GLuint(count)));) SplitList::release(list);
 }
 
+namespace {
+
+// A command that changes the base was compiled. A glBegin that follows starts another part, so that the base can be asked for
+// between the two whenever they are played.
+void split_after_base(Entry& e, std::atomic<bool> ShareGroup::* in_lists) {
+  if (!e.list || !e.context->group) return;
+  (e.context->group->*in_lists).store(true, std::memory_order_relaxed);
+  if (!e.inside) end_driver_part(e);
+}
+
+}  // namespace
+
 void list_base(Entry& e, GLuint base) {
   e.dispatch->ListBase(base);
   if (!e.context) return;
-  if (e.list && e.context->group) e.context->group->base_in_lists.store(true, std::memory_order_relaxed);
+  split_after_base(e, &ShareGroup::base_in_lists);
   if (e.inside || (e.list && e.list->mode == GL_COMPILE)) return;
   e.context->list_base = base;
   e.context->list_base_set = true;
@@ -283,8 +302,13 @@ void list_base(Entry& e, GLuint base) {
 void pop_attrib(Entry& e) {
   e.dispatch->PopAttrib();
   if (!e.context) return;
-  if (e.list && e.context->group) e.context->group->pop_in_lists.store(true, std::memory_order_relaxed);
-  if (e.context->list_base_set) ask_list_base(e);
+  const ShareGroup* const group = e.context->group;
+  if (e.context->list_base_set || (group && group->base_in_lists.load(std::memory_order_relaxed))) {
+    split_after_base(e, &ShareGroup::pop_in_lists);
+    ask_list_base(e);
+  } else if (e.list && group) {
+    e.context->group->pop_in_lists.store(true, std::memory_order_relaxed);
+  }
 }
 
 bool list_answer(const Entry& e, GLenum name, GLint& answer) {

@@ -77,9 +77,10 @@ void inside_executed_begin(const Scene& scene, bool many) {
   }
 }
 
-// Lists of vertices, called together in a primitive, after `set_base` has made 2000 the base.
-template <typename F>
-void inside_begin_by_base(const Scene& scene, F set_base) {
+// Lists of vertices, called together in a primitive, after `set_base` has made 2000 the base. With `listed` these calls are
+// a list of that mode themselves, in which Mesa 22.3 alone crashes.
+template <typename F, typename G>
+void inside_begin_by_base(const Scene& scene, F before, GLenum list, G set_base) {
   for (const Primitive& p : scene.primitives) {
     std::vector<GLubyte> names;
     for (std::size_t i = 0; i < p.vertices.size(); ++i) {
@@ -88,12 +89,28 @@ void inside_begin_by_base(const Scene& scene, F set_base) {
       glEndList();
       names.push_back(GLubyte(i));
     }
+    before();
+    if (list) glNewList(10, list);
     set_base();
     glBegin(mode_of(p));
     glCallLists(GLsizei(names.size()), GL_UNSIGNED_BYTE, names.data());
     glEnd();
+    if (list) glEndList();
+    if (list == GL_COMPILE) glCallList(10);
     glListBase(0);
   }
+}
+
+template <typename F>
+void inside_begin_by_base(const Scene& scene, F set_base) {
+  inside_begin_by_base(scene, [] {}, 0, set_base);
+}
+
+// The base is 2000, below another on the stack.
+void push_base() {
+  glListBase(2000);
+  glPushAttrib(GL_LIST_BIT);
+  glListBase(3000);
 }
 
 // Three quads side by side in one glBegin. The outer ones are nearly affine, so that they need no correction, but their
@@ -257,9 +274,7 @@ std::map<std::string, Way> ways() {
       {"inside_begin_by_popped_base",
        [](const Scene& s) {
          inside_begin_by_base(s, [] {
-           glListBase(2000);
-           glPushAttrib(GL_LIST_BIT);
-           glListBase(3000);
+           push_base();
            glPopAttrib();
          });
        }},
@@ -285,6 +300,23 @@ std::map<std::string, Way> ways() {
            glListBase(0);
            glCallLists(1, GL_UNSIGNED_BYTE, &name);
          });
+       }},
+      {"inside_listed_begin_by_base",
+       [](const Scene& s) { inside_begin_by_base(s, [] {}, GL_COMPILE, [] { glListBase(2000); }); }},
+      {"inside_listed_begin_by_popped_base",
+       [](const Scene& s) { inside_begin_by_base(s, push_base, GL_COMPILE, [] { glPopAttrib(); }); }},
+      {"inside_listed_begin_by_called_base",
+       [](const Scene& s) {
+         const auto define = [] {
+           glNewList(1, GL_COMPILE);
+           glListBase(2000);
+           glEndList();
+         };
+         inside_begin_by_base(s, define, GL_COMPILE, [] { glCallList(1); });
+       }},
+      {"inside_executed_begin_by_popped_base",
+       [](const Scene& s) {
+         inside_begin_by_base(s, push_base, GL_COMPILE_AND_EXECUTE, [] { glPopAttrib(); });
        }},
       {"three_quads", [](const Scene&) { three_quads(); }},
       {"inside_executed_begin", [](const Scene& s) { inside_executed_begin(s, false); }},

@@ -165,6 +165,16 @@ TEST(Lists, InAPrimitiveThatIsExecutedDrawWhatTheDriverDraws) {
   }
 }
 
+// The base that the list's own commands have set, brought back, or called. Mesa 22.3 alone crashes in such lists.
+TEST(Lists, InAPrimitiveOfAListAreThoseOfTheBaseThatItHasSet) {
+  const Drawn native = draw("affine", "immediate", false);
+  for (const char* way : {"inside_listed_begin_by_base", "inside_listed_begin_by_popped_base", "inside_listed_begin_by_called_base",
+                          "inside_executed_begin_by_popped_base"}) {
+    SCOPED_TRACE(way);
+    EXPECT_TRUE(draw("affine", way, true).pictures == native.pictures);
+  }
+}
+
 TEST(Lists, QuadsBesideACorrectedOneAreAsTheDriverDrawsThem) {
   const Drawn native = draw("affine", "three_quads", false), ours = draw("affine", "three_quads", true);
   EXPECT_EQ(ours.corrected, long(kScenes));
