@@ -26,8 +26,8 @@ bool read_command(Entry& e, const void* from, bool indexed, Command& out) {
   e.driver->GetIntegerv(GL_DRAW_INDIRECT_BUFFER_BINDING, &buffer);
   if (buffer != 0) {
     const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(from);
-    const BufferCopy* const copy = e.context->arrays->buffers.contents(*e.driver, e.context->caps, e.context->group->buffers,
-                                                                       GLuint(buffer));
+    if (may_be_deleted_in_context(*e.context, GLuint(buffer))) return false;
+    const BufferCopy* const copy = e.context->arrays->buffers.contents(*e.driver, *e.context, GLuint(buffer));
     if (!copy || offset > copy->size || size > copy->size - offset) return false;
     bytes = copy->bytes + offset;
   }

@@ -37,8 +37,8 @@ Reason ArraySources::open(Entry& e, const Driver& driver) {
 
 const BufferCopy* ArraySources::contents(GLuint name) {
   ContextRecord& context = *entry_->context;
-  if (!context.group) return nullptr;
-  return context.arrays->buffers.contents(*driver_, *caps_, context.group->buffers, name);
+  if (!context.group || may_be_deleted_in_arrays(context, *driver_, name)) return nullptr;
+  return context.arrays->buffers.contents(*driver_, context, name);
 }
 
 Reason ArraySources::find(SlotMask slots) {

@@ -78,7 +78,9 @@ bool BufferCopies::reserve(BufferCopy& copy, std::size_t size) {
   return true;
 }
 
-const BufferCopy* BufferCopies::contents(const Driver& driver, const Caps& caps, BufferChanges& changes, GLuint name) {
+const BufferCopy* BufferCopies::contents(const Driver& driver, const ContextRecord& context, GLuint name) {
+  const Caps& caps = context.caps;
+  BufferChanges& changes = context.group->buffers;
   BufferCopy* const copy = place_for(name);
   if (!copy) return nullptr;
   changes.watch();
@@ -93,7 +95,8 @@ const BufferCopy* BufferCopies::contents(const Driver& driver, const Caps& caps,
   if (!calls.exists(name)) return nullptr;
   GLint before = 0;
   driver.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &before);
-  // A binding of a buffer that another context deleted could not be made again.
+  // A binding of a buffer that another context deleted could not be made again, nor has it the contents of the name.
+  if (before != 0 && may_be_deleted_in_context(context, GLuint(before))) return nullptr;
   if (before != 0 && GLuint(before) != name && !calls.exists(GLuint(before))) return nullptr;
   if (GLuint(before) != name) calls.bind(name);
   const std::int64_t size = calls.size(caps);

@@ -11,6 +11,7 @@
 namespace truequad {
 
 struct Caps;
+struct ContextRecord;
 struct Entry;
 
 // What contexts that share buffers know of changes: a count for each buffer. Names that meet in a place have one count,
@@ -52,7 +53,7 @@ class BufferCopies {
 
   // The buffer's contents now; null if they cannot be known: it is mapped, or too large, or none of that name exists. The
   // driver must be outside of Begin/End. Another copy may be dropped, but none that was asked for since the last start().
-  const BufferCopy* contents(const Driver& driver, const Caps& caps, BufferChanges& changes, GLuint name);
+  const BufferCopy* contents(const Driver& driver, const ContextRecord& context, GLuint name);
   // A draw begins.
   void start() { ++use_; }
 

@@ -46,6 +46,8 @@ constexpr struct {
     {"EXT_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_vertex_buffer_object", &Caps::buffers},
+    {"ARB_vertex_array_object", &Caps::vertex_array_objects},
+    {"APPLE_vertex_array_object", &Caps::vertex_array_objects},
     {"NV_vertex_buffer_unified_memory", &Caps::unified_memory},
     {"ARB_vertex_program", &Caps::vertex_program_arb},
     {"NV_primitive_restart", &Caps::restart_nv},
@@ -130,6 +132,7 @@ Caps read_caps(const Driver& driver) {
   caps.provoking_vertex |= version >= 32;
   caps.depth_clamp |= version >= 32;
   caps.buffers |= version >= 15;
+  caps.vertex_array_objects |= version >= 30;
   caps.generic_attributes_core = version >= 20;
   caps.restart_core = version >= 31;
   caps.restart_fixed |= version >= 43;

@@ -42,6 +42,8 @@ constexpr Driver make_capturing() {
   // Their doors note something, and then come here.
 #define TQ_NOTED(name) table.name = Settled<&Driver::name, decltype(Driver::name)>::call;
   TQ_NOTED(DeleteBuffers) TQ_NOTED(DeleteBuffersARB) TQ_NOTED(Disable) TQ_NOTED(Enable)
+  TQ_NOTED(GenVertexArrays) TQ_NOTED(GenVertexArraysAPPLE) TQ_NOTED(CreateVertexArrays)
+  TQ_NOTED(PushClientAttrib) TQ_NOTED(PushClientAttribDefaultEXT) TQ_NOTED(PopClientAttrib)
   TQ_NOTED(Clear) TQ_NOTED(DepthFunc) TQ_NOTED(StencilOp) TQ_NOTED(StencilOpSeparate)
   TQ_NOTED(CallList) TQ_NOTED(CallLists) TQ_NOTED(ListBase) TQ_NOTED(PopAttrib) TQ_NOTED(DeleteLists) TQ_NOTED(GenLists) TQ_NOTED(IsList)
   TQ_NOTED(GetBooleanv) TQ_NOTED(GetDoublev) TQ_NOTED(GetFloatv) TQ_NOTED(GetIntegerv)

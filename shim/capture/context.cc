@@ -38,6 +38,7 @@ ContextRecord* add(const void* handle, ShareGroup* group) {
   if (!record) return nullptr;
   record->handle = handle;
   record->group = group ? group : new (std::nothrow) ShareGroup;
+  if (record->group) record->ages = BindingAges(record->group->deletions.now());
   record->next = records;
   records = record;
   return record;

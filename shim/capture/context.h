@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "capture/deletions.h"
 #include "driver/driver.h"
 
 namespace truequad {
@@ -22,7 +23,7 @@ struct Caps {
   bool separate_specular = false, rescale_normal = false, fragment_lighting = false;
   bool color_clamp = false, float_mode = false, depth_clamp = false;
   bool provoking_vertex = false;
-  bool buffers = false, unified_memory = false;
+  bool buffers = false, vertex_array_objects = false, unified_memory = false;
   bool generic_attributes_core = false, vertex_program_arb = false;
   bool restart_core = false, restart_nv = false, restart_fixed = false;
   bool quads_follow_provoking = false;
@@ -53,6 +54,7 @@ struct ContextRecord {
   bool list_base_set = false;   // by the program: else glPopAttrib brings back no other
   GLuint relist_name = 0;       // of the list that relist.h compiles; 0: not chosen yet
   ArrayMemory* arrays = nullptr;  // allocated with the first draw of quads from arrays
+  BindingAges ages;
   Caps caps;
 };
 

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "capture/buffers.h"
+#include "capture/deletions.h"
 #include "capture/kept_calls.h"
 
 namespace truequad {
@@ -63,6 +64,7 @@ class ShareGroup {
  public:
   std::atomic<int> users{1};
   BufferChanges buffers;
+  BufferDeletions deletions;
   // Some list that was compiled has glListBase or glPopAttrib, so that calling it may change the base.
   std::atomic<bool> base_in_lists{false}, pop_in_lists{false};
   static void release(ShareGroup* group);

@@ -1,5 +1,6 @@
 // The exported commands that concern vertex arrays and buffer objects.
 #include "capture/arrays.h"
+#include "capture/deletions.h"
 #include "capture/rect.h"
 #include "doors/doors.h"
 
@@ -48,10 +49,34 @@ extern "C" {
   TRUEQUAD_DOOR void GLAPIENTRY gl##name(GLsizei n, const GLuint* names) { \
     const BufferChange change(entry, BufferChange::Of::kAny, 0);           \
     entry.arrays_known = entry.index_buffer_known = false;                 \
+    note_deleted_buffers(entry, n, names);                                 \
     entry.dispatch->name(n, names);                                        \
   }
 TQ_DELETE(DeleteBuffers)
 TQ_DELETE(DeleteBuffersARB)
+
+#define TQ_NEW_OBJECTS(name)                                           \
+  TRUEQUAD_DOOR void GLAPIENTRY gl##name(GLsizei n, GLuint* objects) { \
+    entry.dispatch->name(n, objects);                                  \
+    note_new_objects(entry, n, objects);                               \
+  }
+TQ_NEW_OBJECTS(GenVertexArrays)
+TQ_NEW_OBJECTS(GenVertexArraysAPPLE)
+TQ_NEW_OBJECTS(CreateVertexArrays)
+
+#define TQ_PUSH(name)                                         \
+  TRUEQUAD_DOOR void GLAPIENTRY gl##name(GLbitfield mask) {   \
+    note_pushed_arrays(entry);                                \
+    entry.arrays_known = entry.index_buffer_known = false;    \
+    entry.dispatch->name(mask);                               \
+  }
+TQ_PUSH(PushClientAttrib)
+TQ_PUSH(PushClientAttribDefaultEXT)
+TRUEQUAD_DOOR void GLAPIENTRY glPopClientAttrib() {
+  note_popped_arrays(entry);
+  entry.arrays_known = entry.index_buffer_known = false;
+  entry.dispatch->PopClientAttrib();
+}
 
 #define TQ_DRAW(name, parameters, arguments, draw)              \
   TRUEQUAD_DOOR void GLAPIENTRY gl##name parameters {           \

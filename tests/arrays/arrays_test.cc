@@ -227,13 +227,23 @@ TEST(Arrays, AreReadOnlyWhileTheDriverReadsThem) {
 // What a driver does with buffers that are deleted differs: where it ends by a signal, it does so with us, and no sooner.
 TEST(Arrays, OfDeletedBuffersAreTheDriversOwn) {
   for (const char* what : {"bound", "bound_in_a_list", "mapped", "created_again", "kept_by_an_object",
-                           "kept_by_an_object_and_created_again", "indices", "indices_kept_by_an_object_and_created_again"}) {
+                           "kept_by_an_object_and_created_again", "indices", "indices_kept_by_an_object_and_created_again",
+                           "kept_by_another_context_and_created_again", "kept_by_pushed_arrays_and_created_again"}) {
     SCOPED_TRACE(what);
     const auto native = run({ASK_DELETED, what}), ours = run({ASK_DELETED, what}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}});
     EXPECT_NE(native.out, "");
     EXPECT_EQ(ours.out, native.out);
     EXPECT_EQ(ours.status, native.status);
   }
+}
+
+// A name that was deleted is no reason to leave alone what was bound afterwards.
+TEST(Arrays, OfANewBufferUnderAnOldNameAreCorrected) {
+  const auto ours = run({ASK_DELETED, "in_a_new_object"}, {{"LD_PRELOAD", TRUEQUAD_PRELOAD}, {"TRUEQUAD_STATS", "-"}});
+  EXPECT_EQ(ours.status, 0);
+  const auto json = nlohmann::json::parse(ours.err, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << ours.err;
+  EXPECT_EQ(json.value("corrected", 0), 1);
 }
 
 // The driver draws nothing, so that what grows is memory of ours, or what the driver keeps of any draw.

@@ -1,5 +1,5 @@
 // ask_deleted CASE: draws from buffers that were deleted, and prints the errors, whether the names are buffers, and a sum of the
-// picture, in which nothing needs correction. A program like any other, which
+// picture, in which nothing needs correction: only what is new under an old name would. A program like any other, which
 // knows nothing of truequad.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
@@ -16,12 +16,11 @@ namespace {
 
 std::vector<unsigned char> canvas(64 * 64 * 4);
 
-// Positions and texture coordinates: a square, a smaller one, and a trapezoid.
+// Positions and texture coordinates: a square, and a trapezoid.
 using Quad = GLfloat[16];
 constexpr Quad kSquare = {-0.7f, -0.7f, 0, 0, 0.7f, -0.7f, 1, 0, 0.7f, 0.7f, 1, 1, -0.7f, 0.7f, 0, 1};
-constexpr Quad kSmall = {-0.4f, -0.4f, 0, 0, 0.4f, -0.4f, 1, 0, 0.4f, 0.4f, 1, 1, -0.4f, 0.4f, 0, 1};
 constexpr Quad kTrapezoid = {-0.9f, -0.9f, 0, 0, 0.9f, -0.9f, 1, 0, 0.3f, 0.9f, 1, 1, -0.3f, 0.9f, 0, 1};
-constexpr GLubyte kOrder[] = {0, 1, 2, 3}, kOther[] = {0, 1, 3, 2};
+constexpr GLubyte kFirst[] = {0, 1, 2, 3}, kSecond[] = {4, 5, 6, 7};
 
 void point_at(const void* base) {
   glVertexPointer(2, GL_FLOAT, 16, base);
@@ -63,6 +62,15 @@ void draw_indexed(GLuint name) { glDrawElements(GL_QUADS, 4, GL_UNSIGNED_BYTE, n
 void enable() {
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+}
+
+OSMesaContext context;
+bool make_current(OSMesaContext which) { return OSMesaMakeCurrent(which, canvas.data(), GL_UNSIGNED_BYTE, 64, 64); }
+void in_another_context(const std::function<void()>& what) {
+  glFinish();
+  const OSMesaContext other = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, context);
+  make_current(other), what(), glFinish();
+  make_current(context), OSMesaDestroyContext(other);
 }
 
 const std::map<std::string, std::function<void()>> kCases = {
@@ -115,7 +123,7 @@ const std::map<std::string, std::function<void()>> kCases = {
        const GLuint object = object_with(kSquare, name);
        glBindVertexArray(0), glBindBuffer(GL_ARRAY_BUFFER, 0);
        glDeleteBuffers(1, &name);
-       again(GL_ARRAY_BUFFER, name, kSmall, sizeof kSmall);
+       again(GL_ARRAY_BUFFER, name, kTrapezoid, sizeof kTrapezoid);
        glBindVertexArray(object), draw(name);
        glNewList(1, GL_COMPILE);
        glDrawArrays(GL_QUADS, 0, 4);
@@ -125,7 +133,7 @@ const std::map<std::string, std::function<void()>> kCases = {
     {"indices",
      [] {
        point_at(kSquare), enable();
-       const GLuint name = buffer_of(GL_ELEMENT_ARRAY_BUFFER, kOrder, sizeof kOrder);
+       const GLuint name = buffer_of(GL_ELEMENT_ARRAY_BUFFER, kFirst, sizeof kFirst);
        draw_indexed(name);
        glDeleteBuffers(1, &name);
        draw_indexed(name);
@@ -134,11 +142,48 @@ const std::map<std::string, std::function<void()>> kCases = {
      [] {
        GLuint vertex_name;
        const GLuint object = object_with(kSquare, vertex_name);
-       const GLuint name = buffer_of(GL_ELEMENT_ARRAY_BUFFER, kOrder, sizeof kOrder);
+       glBufferData(GL_ARRAY_BUFFER, 2 * sizeof(Quad), nullptr, GL_STATIC_DRAW);
+       glBufferSubData(GL_ARRAY_BUFFER, 0, sizeof(Quad), kSquare);
+       glBufferSubData(GL_ARRAY_BUFFER, sizeof(Quad), sizeof(Quad), kTrapezoid);
+       const GLuint name = buffer_of(GL_ELEMENT_ARRAY_BUFFER, kFirst, sizeof kFirst);
        glBindVertexArray(0);
        glDeleteBuffers(1, &name);
-       again(GL_ARRAY_BUFFER, name, kOther, sizeof kOther);
+       again(GL_ARRAY_BUFFER, name, kSecond, sizeof kSecond);
        glBindVertexArray(object), draw_indexed(name);
+     }},
+    {"kept_by_another_context_and_created_again",
+     [] {
+       const GLuint name = vertices(kSquare);
+       point_at(nullptr), enable(), draw(name);
+       glBindBuffer(GL_ARRAY_BUFFER, 0);
+       in_another_context([&] {
+         glDeleteBuffers(1, &name);
+         again(GL_ARRAY_BUFFER, name, kTrapezoid, sizeof kTrapezoid);
+       });
+       draw(name);
+     }},
+    {"kept_by_pushed_arrays_and_created_again",
+     [] {
+       const GLuint name = vertices(kSquare);
+       point_at(nullptr), enable(), draw(name);
+       glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+       glDeleteBuffers(1, &name);
+       again(GL_ARRAY_BUFFER, name, kTrapezoid, sizeof kTrapezoid);
+       glBindBuffer(GL_ARRAY_BUFFER, 0);
+       glPopClientAttrib(), draw(name);
+     }},
+    // An object that was made afterwards has the new buffer.
+    {"in_a_new_object",
+     [] {
+       GLuint name, object;
+       object_with(kSquare, name);
+       glBindVertexArray(0), glBindBuffer(GL_ARRAY_BUFFER, 0);
+       glDeleteBuffers(1, &name);
+       glGenVertexArrays(1, &object);
+       glBindVertexArray(object);
+       again(GL_ARRAY_BUFFER, name, kTrapezoid, sizeof kTrapezoid);
+       point_at(nullptr), enable();
+       glDrawArrays(GL_QUADS, 0, 4);
      }},
 };
 
@@ -146,8 +191,8 @@ const std::map<std::string, std::function<void()>> kCases = {
 
 int main(int count, char** arguments) {
   const auto found = kCases.find(count == 2 ? arguments[1] : "");
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
-  if (found == kCases.end() || !context || !OSMesaMakeCurrent(context, canvas.data(), GL_UNSIGNED_BYTE, 64, 64)) return 70;
+  context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
+  if (found == kCases.end() || !context || !make_current(context)) return 70;
   std::vector<unsigned char> texels(64);
   for (unsigned i = 0; i < 64; ++i) texels[i] = (unsigned char)(i * 37);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

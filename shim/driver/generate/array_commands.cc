@@ -59,6 +59,7 @@ bool draws_from_arrays(const std::string& name) {
       "(Multi)?Draw(Arrays|Elements)(EXT)?|DrawRangeElements(EXT)?|((Multi)?Draw|DrawRange)ElementsBaseVertex|"
       "Draw(Arrays|Elements)Instanced(ARB|EXT)?|DrawArraysInstancedBaseInstance|"
       "DrawElementsInstancedBase(Vertex|Instance|VertexBaseInstance)|ArrayElement(EXT)?|DeleteBuffers(ARB)?|"
+      "GenVertexArrays(APPLE)?|CreateVertexArrays|PushClientAttrib(DefaultEXT)?|PopClientAttrib|"
       "(Multi)?Draw(Arrays|Elements)Indirect|"
       "Rect[dfis]v?");
   return std::regex_match(name, names);
