@@ -66,10 +66,12 @@ struct View {
   double snap_px = 0;
   // Of a rasteriser that takes vertices and sets up interpolation in floating point, from the vertices as they were before
   // snapping: the largest relative rounding of one operation (2^-24 for single precision). 0 = exact, from snapped vertices.
-  // Where this is not 0, fragments are taken to be at the centres of pixels: no multisampling.
+  // Where this is not 0, fragments are taken to be at the centres of pixels, unless `multisampled`.
   double setup_rounding = 0;
   // The near and the far plane cut nothing away: all that is before the eye and inside the viewport counts (GL_DEPTH_CLAMP).
   bool depth_clamped = false;
+  // Fragments may have the values of a place outside of their triangle. Plans are the same, and all that correct something `capped`.
+  bool multisampled = false;
 };
 
 // Thresholds of the published algorithm (Oliveira 2001): dot-product tests in object and texture space, and the
@@ -127,7 +129,7 @@ struct Plan {
   // screen, before it is rounded to what the buffer holds. 0 where none has a kink that the action could mend.
   double bound_steps = 0;
   // bound_px or bound_steps > tolerance: the cap was hit, the texture map cannot be inverted, or triangles that are too thin for the
-  // rasteriser's arithmetic cannot be avoided.
+  // rasteriser's arithmetic cannot be avoided. Or the view is multisampled, which the bounds do not contain.
   bool capped = false;
   int triangles = 2;    // that the action draws
   // kProject: factors of A B C D for every texture set; texture coordinates become (l s, l t, l r, l q).

@@ -43,6 +43,7 @@ constexpr struct {
     {"ARB_color_buffer_float", &Caps::float_mode},
     {"NV_depth_clamp", &Caps::depth_clamp},
     {"ARB_depth_clamp", &Caps::depth_clamp},
+    {"ARB_multisample", &Caps::multisample},
     {"EXT_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_provoking_vertex", &Caps::provoking_vertex},
     {"ARB_vertex_buffer_object", &Caps::buffers},
@@ -131,6 +132,7 @@ Caps read_caps(const Driver& driver) {
   caps.statistics_queries |= version >= 46;
   caps.provoking_vertex |= version >= 32;
   caps.depth_clamp |= version >= 32;
+  caps.multisample |= version >= 13;
   caps.buffers |= version >= 15;
   caps.vertex_array_objects |= version >= 30;
   caps.generic_attributes_core = version >= 20;

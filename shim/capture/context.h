@@ -21,7 +21,7 @@ struct Caps {
   bool ati_fragment_shader = false, ext_vertex_shader = false, nv_texture_shader = false;
   bool feedback_objects = false, primitive_queries = false, statistics_queries = false;
   bool separate_specular = false, rescale_normal = false, fragment_lighting = false;
-  bool color_clamp = false, float_mode = false, depth_clamp = false;
+  bool color_clamp = false, float_mode = false, depth_clamp = false, multisample = false;
   bool provoking_vertex = false;
   bool buffers = false, vertex_array_objects = false, unified_memory = false;
   bool generic_attributes_core = false, vertex_program_arb = false;

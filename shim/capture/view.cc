@@ -123,6 +123,7 @@ void read_view(const Driver& driver, const Caps& caps, FrameView& out) {
   out.view.snap_px = caps.snap_px;
   // No query tells it; software rasterisers set up in single precision, hardware in no less.
   out.view.setup_rounding = 0x1p-24;
+  out.view.multisampled = caps.multisample && get(driver, GL_SAMPLE_BUFFERS) != 0 && driver.IsEnabled(GL_MULTISAMPLE);
   out.view.depth_clamped = caps.depth_clamp && driver.IsEnabled(GL_DEPTH_CLAMP);
 
   out.clamps_colours = clamps_colours(driver, caps);

@@ -81,8 +81,10 @@ Budget kernel::make_budget(const Limits& limits, const View& view, double roundi
   return budget;
 }
 
-void plan(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
-          Mode mode, Plan& out, std::span<const ColourChannel> colours) {
+namespace {
+
+void plan_at_centres(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
+                     Mode mode, Plan& out, std::span<const ColourChannel> colours) {
   out.action = Action::kPass;
   out.reason = PassReason::kNone;
   out.bound_px = out.bound_steps = 0;
@@ -143,6 +145,14 @@ void plan(const Corners& position, std::span<const Corners> textures, const View
   tell_apart(model, budget, out);
 }
 
+}  // namespace
+
+void plan(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
+          Mode mode, Plan& out, std::span<const ColourChannel> colours) {
+  plan_at_centres(position, textures, view, limits, mode, out, colours);
+  out.capped |= view.multisampled && out.action != Action::kPass;
+}
+
 void bound_mesh(const Corners& position, std::span<const Corners> textures, const View& view, const Limits& limits,
                 Plan& mesh, std::span<const ColourChannel> colours) {
   textures = textures.first(std::min(textures.size(), kMaxTextureSets));
@@ -165,7 +175,7 @@ void bound_mesh(const Corners& position, std::span<const Corners> textures, cons
       mesh.bound_steps = kernel::block_bound(model, mesh, budget.mesh_px) / model.colours.px_per_step;
     }
   }
-  mesh.capped = !(mesh.bound_px <= budget.tolerance_px) || !(mesh.bound_steps <= budget.colour_steps);
+  mesh.capped = view.multisampled || !(mesh.bound_px <= budget.tolerance_px) || !(mesh.bound_steps <= budget.colour_steps);
 }
 
 }  // namespace truequad

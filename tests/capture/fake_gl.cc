@@ -247,6 +247,8 @@ bool unknown(const Gl& g, GLenum name) {
       {GL_LIGHT_MODEL_COLOR_CONTROL, 12, "EXT_separate_specular_color"},
       {GL_RESCALE_NORMAL, 12, "EXT_rescale_normal"},
       {GL_COLOR_SUM, 14, "EXT_secondary_color"},
+      {GL_SAMPLE_BUFFERS, 13, "ARB_multisample"},
+      {GL_MULTISAMPLE, 13, "ARB_multisample"},
       {GL_CLAMP_VERTEX_COLOR, 30, "ARB_color_buffer_float"},
       {GL_RGBA_FLOAT_MODE_ARB, 99, "ARB_color_buffer_float"},
       {GL_FRAGMENT_LIGHTING_SGIX, 99, "SGIX_fragment_lighting"},
@@ -487,6 +489,7 @@ Gl::Gl() {
   numbers[GL_CURRENT_PROGRAM] = {0};
   numbers[GL_POLYGON_MODE] = {GL_FILL, GL_FILL};
   numbers[GL_SUBPIXEL_BITS] = {8};
+  numbers[GL_SAMPLE_BUFFERS] = {0};
   numbers[GL_MAX_TEXTURE_UNITS] = {8};
   numbers[GL_MAX_TEXTURE_COORDS] = {8};
   numbers[GL_SHADE_MODEL] = {GL_SMOOTH};

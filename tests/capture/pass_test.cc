@@ -227,6 +227,21 @@ TEST(Pass, ModeOffIsCountedAndNothingElse) {
   choose_settings(entry, before);
 }
 
+// Not passed, but nothing is promised.
+TEST(Pass, MultisamplingIsCapped) {
+  for (const bool buffers : {false, true}) {
+    for (const bool enabled : {false, true}) {
+      Gl start;
+      start.numbers[GL_SAMPLE_BUFFERS] = {double(buffers)};
+      if (enabled) start.enabled.insert(GL_MULTISAMPLE);
+      const std::uint64_t capped = counters().capped.get(), before = corrected();
+      through_doors(draw_warped, start);
+      EXPECT_EQ(corrected(), before + 1);
+      EXPECT_EQ(counters().capped.get() - capped, buffers && enabled ? 1u : 0u);
+    }
+  }
+}
+
 TEST(Pass, APrimitiveAsksOnce) {
   const Program program = [](const Driver& gl) {
     gl.Begin(GL_QUADS);

@@ -175,6 +175,28 @@ TEST(HardCases, TheCapIsKeptAndReported) {
   }
 }
 
+// The bounds are for fragments at the centres of pixels.
+TEST(HardCases, NothingIsPromisedUnderMultisampling) {
+  for (const Mode mode : {Mode::kBilinear, Mode::kProjective, Mode::kPaper}) {
+    for (unsigned trial = 0; trial < 50; ++trial) {
+      Quad quad = random_quad(Kind::kConvex, trial);
+      static Plan centres, sampled;
+      const auto make = [&](Plan& out) {
+        plan(quad.position, {&quad.texture, 1}, quad.view, Limits{}, mode, out);
+      };
+      make(centres);
+      quad.view.multisampled = true;
+      make(sampled);
+      ASSERT_EQ(sampled.action, centres.action);
+      ASSERT_EQ(sampled.triangles, centres.triangles);
+      ASSERT_EQ(sampled.capped, sampled.action != Action::kPass);
+      if (sampled.action != Action::kMesh) continue;
+      bound_mesh(quad.position, {&quad.texture, 1}, quad.view, Limits{}, sampled);
+      ASSERT_TRUE(sampled.capped);
+    }
+  }
+}
+
 TEST(HardCases, MoreTrianglesNeverPromiseLess) {
   for (unsigned trial = 0; trial < 200; ++trial) {
     const Quad quad = random_quad(Kind::kConvex, trial);
