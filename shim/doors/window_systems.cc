@@ -1,6 +1,7 @@
 // GLX, EGL and OSMesa: which context is current on which thread, and getProcAddress. The functions are listed in
 // window_system_doors.inc.
 #include <atomic>
+#include <cstdint>
 
 #include "capture/capture.h"
 #include "capture/list_compile.h"
@@ -69,6 +70,7 @@ using Status = int;
 using Boolean = unsigned int;
 using Enum = unsigned int;
 using Byte = unsigned char;
+using Count = std::int64_t;
 
 #define TQ_REAL(api, result, name, parameters) \
   static constinit truequad::Real<result(*) parameters> tq_real(truequad::Api::api, #name)
