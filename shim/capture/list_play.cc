@@ -300,6 +300,8 @@ void list_base(Entry& e, GLuint base) {
 }
 
 void pop_attrib(Entry& e) {
+  // Programs and enables of textures may be others.
+  e.readers_known = false;
   e.dispatch->PopAttrib();
   if (!e.context) return;
   const ShareGroup* const group = e.context->group;

@@ -20,9 +20,9 @@ const Kind kKinds[] = {
                                   "VertexBindingDivisor|VertexAttrib(Binding|Divisor|I?Format|LFormat|ArrayObject).*|"
                                   ".*FormatNV|PrimitiveRestartIndex(NV)?")},
     {"TQ_INDEX_BUFFER", std::regex("BindBuffer(ARB)?")},
-    // Programs and pipelines (section 7.3), texture enables by the number of their unit, and what brings all of them back.
+    // Programs and pipelines (section 7.3), and texture enables by the number of their unit.
     {"TQ_READER_STATE", std::regex("Use(Shader)?Program.*|ActiveProgramEXT|(Bind|Delete)ProgramPipelines?.*|DeletePrograms?.*|"
-                                   "DeleteObjectARB|(Enable|Disable)(i|Indexed).*|PopAttrib")},
+                                   "DeleteObjectARB|(Enable|Disable)(i|Indexed).*")},
     // Section 6: the first parameter is a target that the buffer is bound to.
     {"TQ_BUFFER_OF_TARGET",
      std::regex("(Buffer(Sub)?Data|BufferStorage|(Map|Unmap)Buffer|MapBufferRange|FlushMappedBufferRange|"
