@@ -88,6 +88,7 @@ Corners positions_of(const Capture& c, const Quad& quad) {
 
 PlannedFor own_sets(Capture& c, const Quad& quad) {
   PlannedFor sets;
+  sets.depth_clamped = c.view.view.depth_clamped;
   sets.units = textured_units(c);
   for_each_slot(SlotMask(sets.units), [&](unsigned unit) {
     for (int i = 0; i < 4; ++i) sets.texture[unit][i] = c.at[kTexture + unit][quad.corner[i]];
@@ -97,7 +98,7 @@ PlannedFor own_sets(Capture& c, const Quad& quad) {
 }
 
 bool same_sets(const PlannedFor& a, const PlannedFor& b) {
-  bool same = a.units == b.units && a.colours == b.colours &&
+  bool same = a.depth_clamped == b.depth_clamped && a.units == b.units && a.colours == b.colours &&
               !std::memcmp(a.colour, b.colour, a.colours * sizeof a.colour[0]);
   for_each_slot(SlotMask(a.units), [&](unsigned unit) {
     same = same && !std::memcmp(a.texture[unit], b.texture[unit], sizeof a.texture[unit]);
@@ -132,8 +133,9 @@ Limits limits_of(const Capture& c) {
 }
 
 void plan_for(Capture& c, const Quad& quad, const PlannedFor& sets) {
-  plan(positions_of(c, quad), Sets(sets).all(), c.view.view, limits_of(c), c.settings.mode, c.scratch->plan,
-       Channels(sets).all());
+  View view = c.view.view;
+  view.depth_clamped = sets.depth_clamped;
+  plan(positions_of(c, quad), Sets(sets).all(), view, limits_of(c), c.settings.mode, c.scratch->plan, Channels(sets).all());
 }
 
 // The plan's mesh, drawn with these.

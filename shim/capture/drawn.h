@@ -25,9 +25,11 @@ using PassKey = std::uint64_t;
 PassKey positions_key(const Capture& c, const Quad& quad);
 PassKey with_view(PassKey positions, const View& view);
 
-// The texture coordinates and colours that a mesh was planned for: with them, the same plan can be made again.
+// The texture coordinates and colours that a mesh was planned for, and whether depths were clamped: with them, the same plan can
+// be made again.
 struct PlannedFor {
   PassKey key;
+  bool depth_clamped;
   unsigned units;  // bit mask
   Float4 texture[kTextureUnits][4];
   unsigned colours;  // channels, in steps of 1/255

@@ -97,6 +97,30 @@ TEST_F(Passes, WhateverTheTextureTheMeshIsTheSame) {
   }
 }
 
+// More of a quad counts with GL_DEPTH_CLAMP, and another mesh were enough for it.
+TEST_F(Passes, TheMeshIsTheSameIfDepthsAreClampedInOneOfThem) {
+  for (const bool first_clamped : {false, true}) {
+    reset();
+    gl().extensions = {"GL_ARB_depth_clamp"};
+    make_current();
+    doors().Clear(GL_DEPTH_BUFFER_BIT);
+    // Much of the quad is beyond the far plane, z = 3x, and nearer there: w = 1 + 0.7x.
+    std::vector<double> leaning(16);
+    leaning[0] = leaning[5] = leaning[15] = 1;
+    leaning[2] = 3;
+    leaning[3] = 0.7;
+    gl().numbers[GL_PROJECTION_MATRIX] = leaning;
+    depth(doors(), GL_LEQUAL);
+    const auto clamp = [](bool on) { on ? doors().Enable(GL_DEPTH_CLAMP) : doors().Disable(GL_DEPTH_CLAMP); };
+    clamp(first_clamped);
+    const auto first = pictures_of([](const Driver& gl) { textured(gl); });
+    ASSERT_EQ(first.at(0).mode, GLenum(GL_TRIANGLES));
+    clamp(!first_clamped);
+    EXPECT_EQ(pictures_of([](const Driver& gl) { textured(gl); }), first);
+    EXPECT_EQ(pictures_of([](const Driver& gl) { untextured(gl); }), first);
+  }
+}
+
 TEST_F(Passes, WhatLiesInTheBufferAsTwoTrianglesStaysSoAndIsAMeshFromTheNextFrameOn) {
   for (const auto& earlier : {+[](const Driver& gl) { untextured(gl); }, +[](const Driver& gl) { affine(gl); }}) {
     for (GLenum function : {GL_LEQUAL, GL_EQUAL}) {
